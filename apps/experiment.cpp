@@ -69,7 +69,7 @@ int show(const std::string& name) {
 
 /// Joint ranges of this robot; robot.ini may narrow them.
 Ranges rangesOf(const darwinop::connect::Setting& robot) {
-  if (robot.kind != darwinop::connect::Kind::kSerial) return darwinop::safety::hardRanges();
+  if (robot.kind != darwinop::connect::RobotKind::kSerial) return darwinop::safety::hardRanges();
   return darwinop::connect::safetyOn(darwinop::connect::readRobotFile(), {}, "config.ini").range;
 }
 
@@ -91,7 +91,7 @@ void setIfGiven(const char* name, const std::string& value) {
 }
 
 /// On the robot selected by the environment; on return the robot is at rest and the recording complete.
-Outcome drive(const Experiment& experiment, const Plan& plan) {
+RunOutcome drive(const Experiment& experiment, const Plan& plan) {
   webots::Robot robot;
   const std::atomic<bool>& stop = installGentleStop();
   Progress progress{plan.seconds()};
@@ -99,20 +99,20 @@ Outcome drive(const Experiment& experiment, const Plan& plan) {
   return Runner{robot, experiment, stop, report}.run();
 }
 
-int reportEnd(Outcome outcome, const std::string& record) {
+int reportEnd(RunOutcome outcome, const std::string& record) {
   if (!record.empty()) std::cout << "recorded: " << record << std::endl;
   switch (outcome) {
-    case Outcome::kStopped:
+    case RunOutcome::kStopped:
       std::cerr << "stopped on request; the recording contains the data until then\n";
       return kStopped;
-    case Outcome::kEnded:
+    case RunOutcome::kEnded:
       std::cerr << "the experiment was ended by the robot, see above\n";
       return kEnded;
-    case Outcome::kFell:
+    case RunOutcome::kFell:
       std::cerr << "the robot fell before the first pose; nothing was measured. Set it upright on level floor, "
                    "in its start pose, and try again\n";
       return kEnded;
-    case Outcome::kFellIn:
+    case RunOutcome::kFellIn:
       std::cerr << "unexpected fall: the experiment was ended, and the recording is invalid from "
                    "the fall on\n";
       return kEnded;

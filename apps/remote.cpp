@@ -70,18 +70,18 @@ webots_api::ControllerConfig controllerConfig(const std::string& config) {
 
 int serveRemote(const RemoteArguments& given) {
   remote::ServerConfig config = serverConfig(given);
-  connect::Request request;
+  connect::ConnectRequest request;
   request.setting = given.robot;
   const webots_api::ControllerConfig controller = controllerConfig(given.config);
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
   request.warn = sayRemote;
-  const connect::Kind kind = connect::readSetting(given.robot).kind;
-  if (kind == connect::Kind::kTcp)
+  const connect::RobotKind kind = connect::readSetting(given.robot).kind;
+  if (kind == connect::RobotKind::kTcp)
     throw std::runtime_error("--robot " + given.robot + " is already a remote-control server: connect to it directly");
-  const bool daemon = kind == connect::Kind::kDaemon;
+  const bool daemon = kind == connect::RobotKind::kDaemon;
   // In simulated time a client may run as many cycles per second as the machine can; no robot's CPU is affected.
-  if (kind == connect::Kind::kVirtual || kind == connect::Kind::kTwin) config.pace = Nanos{0};
+  if (kind == connect::RobotKind::kVirtual || kind == connect::RobotKind::kTwin) config.pace = Nanos{0};
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
     sayRemote("no runtime daemon is running; clients are rejected until it is started with: darwinop runtime");
   if (daemon) connect::leaveRoot();

@@ -96,7 +96,7 @@ class Studio {
   const Arguments& arguments_;
   hil::FramePainter painter_;
   std::optional<hil::PictureFolder> folder_;
-  hil::Picture picture_{2, 2};
+  hil::PaintedPicture picture_{2, 2};
 };
 
 /// Paints until the command ends, a signal arrives or the time is over. `child` null: no command.

@@ -77,7 +77,7 @@ void printJoints(hil::PtyHost& host) {
   std::fflush(stdout);
 }
 
-std::vector<hil::Fault> faultsIn(const std::string& path) {
+std::vector<hil::InjectedFault> faultsIn(const std::string& path) {
   const std::optional<std::string> text = darwinop::readTextFile(path, hil::kLongestFaultScript);
   if (!text) throw std::runtime_error("cannot read fault script " + path + " of --faults");
   return hil::parseFaultScript(*text, path);

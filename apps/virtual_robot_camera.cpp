@@ -31,7 +31,7 @@ class Painting {
       host_.askRobot([&body](hil::VirtualRobot& robot) { body = &robot.body(); });
       // Copies a whole model without blocking the robot: reads only what steps do not modify.
       camera_ = body->openCamera(size_.width, size_.height);
-      pattern_ = hil::Picture{size_.width, size_.height};
+      pattern_ = hil::PaintedPicture{size_.width, size_.height};
     }
     if (camera_ == nullptr) {
       hil::drawBall(pattern_, std::chrono::duration<double>(host_.now()).count());
@@ -55,7 +55,7 @@ class Painting {
   hil::FramePainter painter_;
   hil::PictureSize size_{0, 0};
   std::unique_ptr<BodyCamera> camera_;
-  hil::Picture pattern_{2, 2};
+  hil::PaintedPicture pattern_{2, 2};
   unsigned turn_ = 0;
   bool blind_ = false;
 };

@@ -30,7 +30,7 @@ namespace {
 
 constexpr Nanos kShortestPeriod{8'000'000};
 
-void warn(const Request& request, const std::string& lines) {
+void warn(const ConnectRequest& request, const std::string& lines) {
   if (!request.warn) {
     std::cerr << lines;
     return;
@@ -41,7 +41,7 @@ void warn(const Request& request, const std::string& lines) {
     request.warn(line.starts_with(kSpeaker) ? line.substr(kSpeaker.size()) : line);
 }
 
-runtime::LoopConfig loopConfig(const Request& request) {
+runtime::LoopConfig loopConfig(const ConnectRequest& request) {
   runtime::LoopConfig config;
   config.period = request.period.value_or(kUsualPeriod);
   config.safety = request.safety;
@@ -51,7 +51,7 @@ runtime::LoopConfig loopConfig(const Request& request) {
   return config;
 }
 
-std::unique_ptr<runtime::RobotLink> serialRobot(const Request& request, const std::string& port) {
+std::unique_ptr<runtime::RobotLink> serialRobot(const ConnectRequest& request, const std::string& port) {
   const RobotFile robot = readRobotFile();
   runtime::LoopConfig config = loopConfig(request);
   config.period = request.period.value_or(robot.period.value_or(kUsualPeriod));
@@ -66,7 +66,7 @@ std::unique_ptr<runtime::RobotLink> serialRobot(const Request& request, const st
   return link;
 }
 
-std::unique_ptr<runtime::RobotLink> daemonsRobot(const Request& request) {
+std::unique_ptr<runtime::RobotLink> daemonsRobot(const ConnectRequest& request) {
   auto link = std::make_unique<runtime::DaemonLink>();
   warn(request, daemonWarnings(request, link->period()));
   if (asksForSafety(request.safety))
@@ -74,20 +74,20 @@ std::unique_ptr<runtime::RobotLink> daemonsRobot(const Request& request) {
   return link;
 }
 
-std::unique_ptr<runtime::RobotLink> virtualRobot(const Request& request) {
+std::unique_ptr<runtime::RobotLink> virtualRobot(const ConnectRequest& request) {
   runtime::LoopConfig config = loopConfig(request);
   config.port = "virtual robot in memory";
   return lockstepRobot(config);
 }
 
-std::unique_ptr<runtime::RobotLink> twin(const Request& request, const std::string& model) {
+std::unique_ptr<runtime::RobotLink> twin(const ConnectRequest& request, const std::string& model) {
   runtime::LoopConfig config = loopConfig(request);
   config.port = "twin in memory, model " + (model.empty() ? kUsualTwin : model);
   return lockstepRobot(config, makeTwin(model, twinSeed()));
 }
 
 #ifdef DARWINOP_WITH_REMOTE_CLIENT
-std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request& request, const Address& server) {
+std::unique_ptr<runtime::RobotLink> robotOverTcp(const ConnectRequest& request, const Address& server) {
   // The protocol cannot transmit them, and ignoring a requested limit silently would be unsafe.
   if (asksForSafety(request.safety))
     throw std::runtime_error(request.config_file +
@@ -102,7 +102,7 @@ std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request& request, const A
   return link;
 }
 #else
-std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request&, const Address& server) {
+std::unique_ptr<runtime::RobotLink> robotOverTcp(const ConnectRequest&, const Address& server) {
   throw std::runtime_error("tcp://" + server.host +
                            ": programs built for the robot drive the robot that they run on. Build this controller for "
                            "the PC and start it there");
@@ -211,18 +211,18 @@ OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose) {
   return opened;
 }
 
-std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
+std::unique_ptr<runtime::RobotLink> connect(const ConnectRequest& request) {
   const Setting setting = readSetting(request.setting);
   switch (setting.kind) {
-    case Kind::kDaemon:
+    case RobotKind::kDaemon:
       return daemonsRobot(request);
-    case Kind::kSerial:
+    case RobotKind::kSerial:
       return serialRobot(request, setting.port);
-    case Kind::kVirtual:
+    case RobotKind::kVirtual:
       return virtualRobot(request);
-    case Kind::kTwin:
+    case RobotKind::kTwin:
       return twin(request, setting.model);
-    case Kind::kTcp:
+    case RobotKind::kTcp:
       return robotOverTcp(request, setting.server);
   }
   throw std::logic_error("a kind of robot that connect() does not know");

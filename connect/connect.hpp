@@ -17,7 +17,7 @@
 namespace darwinop::connect {
 
 /// Configuration of a controller. The defaults are those of a controller on the robot's own computer.
-struct Request {
+struct ConnectRequest {
   /// As connect/setting.hpp reads it: "runtime", a serial device or pty, "virtual", "twin[:MODEL]",
   /// "tcp://HOST[:PORT]", or empty.
   std::string setting;
@@ -32,7 +32,7 @@ struct Request {
 
 /// Opens the port, checks the robot, starts the loop, and returns the link. Throws std::runtime_error with error and
 /// remedy.
-std::unique_ptr<runtime::RobotLink> connect(const Request& request);
+std::unique_ptr<runtime::RobotLink> connect(const ConnectRequest& request);
 
 /// Configuration of a robot on a serial port.
 struct SerialRobot {

@@ -21,7 +21,7 @@ bool asksForSafety(const safety::Config& config) {
   return config.named.any() || safety::numbers(config) != safety::numbers(safety::Config{});
 }
 
-std::string daemonWarnings(const Request& request, Nanos daemons_period) {
+std::string daemonWarnings(const ConnectRequest& request, Nanos daemons_period) {
   std::string text;
   if (!request.record_path.empty())
     text += "darwinop: " + request.record_path +
@@ -33,7 +33,7 @@ std::string daemonWarnings(const Request& request, Nanos daemons_period) {
   return text;
 }
 
-std::string tcpWarnings(const Request& request, Nanos robots_period) {
+std::string tcpWarnings(const ConnectRequest& request, Nanos robots_period) {
   std::string text;
   if (!request.record_path.empty())
     text += "darwinop: " + request.record_path +

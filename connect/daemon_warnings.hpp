@@ -11,9 +11,9 @@ namespace darwinop::connect {
 bool asksForSafety(const safety::Config& config);
 
 /// The daemon has its own period and recording. One line per request that it ignores, with a remedy; empty: none.
-std::string daemonWarnings(const Request& request, Nanos daemons_period);
+std::string daemonWarnings(const ConnectRequest& request, Nanos daemons_period);
 
 /// The same for a robot over TCP, whose loop runs on the other computer.
-std::string tcpWarnings(const Request& request, Nanos robots_period);
+std::string tcpWarnings(const ConnectRequest& request, Nanos robots_period);
 
 }  // namespace darwinop::connect

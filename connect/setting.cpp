@@ -18,9 +18,9 @@ bool exists(const std::string& path) {
 }
 
 Setting whateverIsThere() {
-  if (runtime::daemonPid(runtime::RuntimeFiles{}) != 0) return {Kind::kDaemon, {}, {}, {}};
+  if (runtime::daemonPid(runtime::RuntimeFiles{}) != 0) return {RobotKind::kDaemon, {}, {}, {}};
   const std::string port = readRobotFile().serialPort();
-  if (exists(port)) return {Kind::kSerial, port, {}, {}};
+  if (exists(port)) return {RobotKind::kSerial, port, {}, {}};
   throw std::runtime_error("no robot found: no runtime daemon is running and " + port +
                            " does not exist. Connect the robot, or say which one is meant with DARWINOP_ROBOT or "
                            "--robot:\n" +
@@ -71,12 +71,12 @@ std::optional<std::string> twinModel(const std::string& text) {
 
 Setting readSetting(const std::string& text) {
   if (text.empty()) return whateverIsThere();
-  if (text == "runtime") return {Kind::kDaemon, {}, {}, {}};
-  if (text == "virtual") return {Kind::kVirtual, {}, {}, {}};
-  if (const auto model = twinModel(text)) return {Kind::kTwin, {}, *model, {}};
-  if (text.starts_with(kTcpScheme)) return {Kind::kTcp, {}, {}, addressIn(text)};
+  if (text == "runtime") return {RobotKind::kDaemon, {}, {}, {}};
+  if (text == "virtual") return {RobotKind::kVirtual, {}, {}, {}};
+  if (const auto model = twinModel(text)) return {RobotKind::kTwin, {}, *model, {}};
+  if (text.starts_with(kTcpScheme)) return {RobotKind::kTcp, {}, {}, addressIn(text)};
   if (text.find('/') != std::string::npos && text.find("://") == std::string::npos)
-    return {Kind::kSerial, text, {}, {}};
+    return {RobotKind::kSerial, text, {}, {}};
   throw std::runtime_error("'" + text + "' is not a robot this version knows. DARWINOP_ROBOT or --robot can be:\n" +
                            settingChoices());
 }

@@ -7,7 +7,7 @@
 
 namespace darwinop::connect {
 
-enum class Kind { kDaemon, kSerial, kVirtual, kTwin, kTcp };
+enum class RobotKind { kDaemon, kSerial, kVirtual, kTwin, kTcp };
 
 /// Address of a remote robot.
 struct Address {
@@ -16,7 +16,7 @@ struct Address {
 };
 
 struct Setting {
-  Kind kind;
+  RobotKind kind;
   std::string port;   // kSerial: the device
   std::string model;  // kTwin: name or file of the model; empty: the default one
   Address server{};   // kTcp
@@ -28,7 +28,7 @@ Setting readSetting(const std::string& text);
 
 /// The loop runs in another process, with its own settings and recordings.
 constexpr bool loopIsElsewhere(const Setting& setting) {
-  return setting.kind == Kind::kDaemon || setting.kind == Kind::kTcp;
+  return setting.kind == RobotKind::kDaemon || setting.kind == RobotKind::kTcp;
 }
 
 /// Model of "twin" (empty: the default one) or "twin:MODEL"; nothing for other settings.

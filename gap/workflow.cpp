@@ -30,7 +30,7 @@ std::string remainderOf(const Case& data, const DataCheck& check, const Identifi
   if (found.verdict != Verdict::kUnknown && !found.remains) return "";
   const Case with_model = withModel(data, found.model);
   std::string text = describeRemainder(localize(Study{with_model}));
-  for (const Finding& finding : check.findings)
+  for (const DataFinding& finding : check.findings)
     if (finding.id == kHeldOutLoadFinding && !finding.reveals) text += " " + finding.sentence;
   return text;
 }

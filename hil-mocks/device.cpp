@@ -12,22 +12,22 @@ constexpr Instruction kind(std::uint8_t instruction) {
 
 }  // namespace
 
-std::uint8_t Device::objections(std::uint8_t address, Bytes data) const {
+std::uint8_t BusDevice::objections(std::uint8_t address, Bytes data) const {
   return table_.accepts(address, data) ? 0 : error_bit::kRange;
 }
 
-Device::Answer Device::answerRead(std::uint8_t address, std::uint8_t count) const {
+BusDevice::Answer BusDevice::answerRead(std::uint8_t address, std::uint8_t count) const {
   const Bytes bytes = table_.read(address, count);
   const std::uint8_t error = bytes.empty() ? error_bit::kRange : std::uint8_t{0};
   return {statusLevel() >= 1, static_cast<std::uint8_t>(standingErrors() | error), bytes};
 }
 
-Device::Answer Device::answerBadChecksum(std::uint8_t instruction) const {
+BusDevice::Answer BusDevice::answerBadChecksum(std::uint8_t instruction) const {
   const bool send = kind(instruction) != Instruction::kPing && statusLevel() >= 1;
   return {send, static_cast<std::uint8_t>(standingErrors() | error_bit::kChecksum)};
 }
 
-Device::Answer Device::answer(std::uint8_t instruction, Bytes params) const {
+BusDevice::Answer BusDevice::answer(std::uint8_t instruction, Bytes params) const {
   std::uint8_t error = 0;
   switch (kind(instruction)) {
     case Instruction::kPing:
@@ -50,13 +50,13 @@ Device::Answer Device::answer(std::uint8_t instruction, Bytes params) const {
   return {statusLevel() >= 2, static_cast<std::uint8_t>(standingErrors() | error)};
 }
 
-void Device::writeIfAccepted(std::uint8_t address, Bytes data) {
+void BusDevice::writeIfAccepted(std::uint8_t address, Bytes data) {
   const std::uint8_t errors = objections(address, data);
   noteRefusal(errors);
   if (errors == 0) write(address, data);
 }
 
-void Device::carryOut(std::uint8_t instruction, Bytes params) {
+void BusDevice::carryOut(std::uint8_t instruction, Bytes params) {
   switch (kind(instruction)) {
     case Instruction::kWrite:
       if (params.size() >= 2) writeIfAccepted(params[0], params.subspan(1));
@@ -80,7 +80,7 @@ void Device::carryOut(std::uint8_t instruction, Bytes params) {
   }
 }
 
-void Device::forgetRegistered() {
+void BusDevice::forgetRegistered() {
   registered_size_ = 0;
   showRegistered(false);
 }

@@ -9,7 +9,7 @@
 
 namespace darwinop::hil {
 
-class Device {
+class BusDevice {
  public:
   struct Answer {
     bool send = false;
@@ -17,10 +17,10 @@ class Device {
     Bytes params{};
   };
 
-  explicit Device(const TableLayout& layout) : table_{layout} {}
-  virtual ~Device() = default;
-  Device(const Device&) = default;
-  Device& operator=(const Device&) = default;
+  explicit BusDevice(const TableLayout& layout) : table_{layout} {}
+  virtual ~BusDevice() = default;
+  BusDevice(const BusDevice&) = default;
+  BusDevice& operator=(const BusDevice&) = default;
 
   [[nodiscard]] std::uint8_t id() const { return table_.byte(kIdAddress); }
   [[nodiscard]] Nanos returnDelay() const { return kDelayUnit * table_.byte(kDelayAddress); }

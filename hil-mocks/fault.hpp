@@ -57,7 +57,7 @@ enum class Way : std::uint8_t { kReplies = 1, kRequests = 2, kBoth = 3 };
 
 enum class Fall : std::uint8_t { kFront, kBack, kLeft, kRight };
 
-struct Fault {
+struct InjectedFault {
   static constexpr Nanos kForEver = Nanos::max();
 
   Nanos at{0};

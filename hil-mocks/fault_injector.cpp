@@ -19,7 +19,7 @@ Nanos seconds(double s) {
 }
 
 /// From `normal` to the fault's amount, linearly over `over`.
-double ramped(const Fault& fault, double normal, Nanos now) {
+double ramped(const InjectedFault& fault, double normal, Nanos now) {
   const Nanos gone = now - fault.at;
   if (gone >= fault.over) return fault.amount;
   return normal + (fault.amount - normal) * static_cast<double>(gone.count()) / static_cast<double>(fault.over.count());
@@ -41,7 +41,7 @@ std::array<double, 3> lying(Fall fall) {
 }
 
 /// With `chance`, only some status packets carry the error bits.
-bool flickers(const Fault& fault) {
+bool flickers(const InjectedFault& fault) {
   return fault.kind == FaultKind::kErrors && fault.chance < 1;
 }
 
@@ -52,17 +52,17 @@ FaultInjector::FaultInjector(std::uint64_t seed) : seed_{seed}, random_{seed} {
   active_.reserve(kRoom);
 }
 
-void FaultInjector::add(const Fault& fault) {
-  const auto place = std::ranges::lower_bound(waiting_, fault.at, std::ranges::greater{}, &Fault::at);
+void FaultInjector::add(const InjectedFault& fault) {
+  const auto place = std::ranges::lower_bound(waiting_, fault.at, std::ranges::greater{}, &InjectedFault::at);
   waiting_.insert(place, fault);
   next_change_ = std::min(next_change_, fault.at);
 }
 
-void FaultInjector::add(std::span<const Fault> faults) {
+void FaultInjector::add(std::span<const InjectedFault> faults) {
   const auto earliest_first = [this] { std::ranges::reverse(waiting_); };  // used twice, to restore the order
   earliest_first();
   waiting_.insert(waiting_.end(), faults.begin(), faults.end());
-  std::ranges::stable_sort(waiting_, {}, &Fault::at);
+  std::ranges::stable_sort(waiting_, {}, &InjectedFault::at);
   earliest_first();
   if (!waiting_.empty()) next_change_ = std::min(next_change_, waiting_.back().at);
 }
@@ -92,7 +92,7 @@ void FaultInjector::apply(Nanos now, VirtualBoard& board) noexcept {
   planNext(now);
 }
 
-void FaultInjector::begin(const Fault& fault, VirtualBoard& board) noexcept {
+void FaultInjector::begin(const InjectedFault& fault, VirtualBoard& board) noexcept {
   ++begun_;
   ++begun_of_[static_cast<std::size_t>(fault.kind)];
   if (fault.kind == FaultKind::kReset) return board.pressReset();
@@ -127,8 +127,8 @@ void FaultInjector::draw(Active& source, Nanos now) noexcept {
   }
 }
 
-Fault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
-  Fault fault;
+InjectedFault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
+  InjectedFault fault;
   fault.at = at;
   fault.kind = kind;
   fault.lasts = seconds(random_.between(0.02, 2.0));
@@ -230,7 +230,7 @@ void FaultInjector::planNext(Nanos now) noexcept {
 void FaultInjector::pass(Chunk& chunk, Way way) noexcept {
   if (!wire_faults_) return;
   std::erase_if(active_, [&](const Active& a) {
-    const Fault& fault = a.fault;
+    const InjectedFault& fault = a.fault;
     if (flickers(fault)) {
       if (way == Way::kReplies) flicker(chunk, fault, random_);
       return false;

@@ -20,8 +20,8 @@ class FaultInjector {
   explicit FaultInjector(std::uint64_t seed = 1);
 
   /// A fault with a past start time starts at the next apply().
-  void add(const Fault& fault);
-  void add(std::span<const Fault> faults);
+  void add(const InjectedFault& fault);
+  void add(std::span<const InjectedFault> faults);
   /// Ends every fault, including scheduled ones.
   void clear() noexcept;
 
@@ -41,23 +41,23 @@ class FaultInjector {
 
  private:
   struct Active {
-    Fault fault;
+    InjectedFault fault;
     Nanos next_draw{0};  // random, babble
   };
 
   static constexpr std::size_t kRoom = 256;  // concurrent faults; no more are drawn
 
-  void begin(const Fault& fault, VirtualBoard& board) noexcept;
+  void begin(const InjectedFault& fault, VirtualBoard& board) noexcept;
   void babble(Active& source, Nanos now, VirtualBoard& board) noexcept;
   void draw(Active& source, Nanos now) noexcept;
-  [[nodiscard]] Fault randomFault(FaultKind kind, Nanos at) noexcept;
+  [[nodiscard]] InjectedFault randomFault(FaultKind kind, Nanos at) noexcept;
   [[nodiscard]] std::bitset<kJoints> randomJoints() noexcept;
   void showEffects(Nanos now, VirtualBoard& board) noexcept;
   void planNext(Nanos now) noexcept;
 
   std::uint64_t seed_;
   Rng random_;
-  std::vector<Fault> waiting_;  // sorted, latest first
+  std::vector<InjectedFault> waiting_;  // sorted, latest first
   std::vector<Active> active_;
   std::uint64_t begun_ = 0;
   std::array<std::uint64_t, kFaultKinds> begun_of_{};

@@ -133,7 +133,7 @@ class Line {
   std::size_t number_;
 };
 
-void readServos(Line& line, Fault& fault) {
+void readServos(Line& line, InjectedFault& fault) {
   line.parts([&](std::string_view name) {
     if (name == "all") return void(fault.joints.set());
     const auto found = std::ranges::find_if(
@@ -146,7 +146,7 @@ void readServos(Line& line, Fault& fault) {
 }
 
 template <std::size_t N>
-void readBits(Line& line, const std::array<BitName, N>& names, Fault& fault) {
+void readBits(Line& line, const std::array<BitName, N>& names, InjectedFault& fault) {
   line.parts([&](std::string_view name) {
     const auto found = std::ranges::find(names, name, &BitName::name);
     if (found == names.end())
@@ -155,13 +155,13 @@ void readBits(Line& line, const std::array<BitName, N>& names, Fault& fault) {
   });
 }
 
-void readFall(Line& line, Fault& fault) {
+void readFall(Line& line, InjectedFault& fault) {
   const auto found = std::ranges::find(kFallNames, line.next());
   if (found == kFallNames.end()) line.fail("expected one of: " + listOf(kFallNames, std::identity{}));
   fault.fall = static_cast<Fall>(found - kFallNames.begin());
 }
 
-void readKinds(Line& line, Fault& fault) {
+void readKinds(Line& line, InjectedFault& fault) {
   fault.kinds.reset();
   line.parts([&](std::string_view name) {
     const auto found = std::ranges::find(kFaultKindNames, name);
@@ -170,7 +170,7 @@ void readKinds(Line& line, Fault& fault) {
   });
 }
 
-void readArgument(Line& line, const KindRow& row, Fault& fault) {
+void readArgument(Line& line, const KindRow& row, InjectedFault& fault) {
   switch (row.argument) {
     case Argument::kNone:
       break;
@@ -191,7 +191,7 @@ void readArgument(Line& line, const KindRow& row, Fault& fault) {
 }
 
 /// Options after a fault, in any order.
-void readOptions(Line& line, const KindRow& row, Fault& fault) {
+void readOptions(Line& line, const KindRow& row, InjectedFault& fault) {
   const bool wire = isWireFault(row.kind), has_chance_option = wire || row.kind == FaultKind::kErrors;
   bool has_for = false, has_chance = false;
   while (true) {
@@ -225,8 +225,8 @@ void readOptions(Line& line, const KindRow& row, Fault& fault) {
 
 }  // namespace
 
-std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file_name) {
-  std::vector<Fault> faults;
+std::vector<InjectedFault> parseFaultScript(std::string_view text, std::string_view file_name) {
+  std::vector<InjectedFault> faults;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view content = text.substr(0, end);
@@ -234,7 +234,7 @@ std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file
 
     if (Line{content, file_name, number}.next().empty()) continue;
     Line line{content, file_name, number};
-    Fault fault;
+    InjectedFault fault;
     fault.at = line.time("seconds from the start", 0);
     if (faults.size() == kMostFaults) line.fail("a script has at most " + std::to_string(kMostFaults) + " faults");
     const auto name = std::ranges::find(kFaultKindNames, line.next());

@@ -13,6 +13,6 @@ inline constexpr std::size_t kMostFaults = 100'000;
 inline constexpr std::size_t kLongestFaultScript = 16 << 20;  // bytes
 
 /// Throws std::runtime_error "FILE:LINE: field 'WORD': expected ...". No side effects.
-[[nodiscard]] std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file_name);
+[[nodiscard]] std::vector<InjectedFault> parseFaultScript(std::string_view text, std::string_view file_name);
 
 }  // namespace darwinop::hil

@@ -26,7 +26,7 @@ constexpr std::uint8_t kButtons = find(kCm730, "buttons").address;
 
 }  // namespace
 
-BoardDevice::BoardDevice(std::uint8_t firmware) : Device{kBoardLayout} {
+BoardDevice::BoardDevice(std::uint8_t firmware) : BusDevice{kBoardLayout} {
   table_.setByte(board::kFirmware, firmware);
 }
 
@@ -145,13 +145,13 @@ void VirtualBoard::execute(bool good_checksum) noexcept {
     if (options_.bulk_read) startBulkRead(params);
     return;
   }
-  forEachListener(id, [&](Device& device) { carryOut(device, instruction, params); });
+  forEachListener(id, [&](BusDevice& device) { carryOut(device, instruction, params); });
 }
 
 template <class F>
 void VirtualBoard::forEachListener(std::uint8_t id, F&& action) noexcept {
   // Receivers are determined before effects: a write may change an id or cut the power.
-  std::array<Device*, kJoints + 1> listeners{};
+  std::array<BusDevice*, kJoints + 1> listeners{};
   std::size_t count = 0;
   if (id == kBroadcastId || id == device_.id()) listeners[count++] = &device_;
   for (VirtualServo& s : servos_)
@@ -164,16 +164,16 @@ void VirtualBoard::executeUnicast(std::uint8_t id, std::uint8_t instruction, Byt
   // Status before effect: a device replies with its state before the write.
   bool on_the_bus = instruction == static_cast<std::uint8_t>(Instruction::kRead);
   beginReply();
-  forEachListener(id, [&](Device& device) {
+  forEachListener(id, [&](BusDevice& device) {
     measure(device);
     on_the_bus |= &device != &device_;  // reads of the board itself are not forwarded to the bus
     addReply(device, good_checksum ? device.answer(instruction, params) : device.answerBadChecksum(instruction));
   });
   sendReply(on_the_bus);
-  if (good_checksum) forEachListener(id, [&](Device& device) { carryOut(device, instruction, params); });
+  if (good_checksum) forEachListener(id, [&](BusDevice& device) { carryOut(device, instruction, params); });
 }
 
-void VirtualBoard::carryOut(Device& device, std::uint8_t instruction, Bytes params) noexcept {
+void VirtualBoard::carryOut(BusDevice& device, std::uint8_t instruction, Bytes params) noexcept {
   device.carryOut(instruction, params);
   if (&device == &device_) afterBoardWrite();
 }
@@ -186,7 +186,7 @@ void VirtualBoard::executeSyncWrite(Bytes params) noexcept {
   for (Bytes rest = params.subspan(2); count > 0 && rest.size() > count; rest = rest.subspan(count + 1)) {
     const Bytes data = rest.subspan(1, count);
     if (rest[0] == kBroadcastId) continue;  // entries need a single device
-    forEachListener(rest[0], [&](Device& device) {
+    forEachListener(rest[0], [&](BusDevice& device) {
       device.writeIfAccepted(address, data);
       if (&device == &device_) afterBoardWrite();
     });
@@ -213,7 +213,7 @@ void VirtualBoard::nextTurn() noexcept {
   const Turn turn = turns_[turn_++];
   beginReply();
   if (turn.id != kBroadcastId)
-    forEachListener(turn.id, [&](Device& device) {
+    forEachListener(turn.id, [&](BusDevice& device) {
       if (&device == &device_ && options_.only_block != 0 && turn.count != options_.only_block) return;
       measure(device);
       addReply(device, device.answerRead(turn.address, turn.count));
@@ -238,7 +238,7 @@ void VirtualBoard::afterBoardWrite() noexcept {
   }
 }
 
-void VirtualBoard::measure(Device& device) noexcept {
+void VirtualBoard::measure(BusDevice& device) noexcept {
   if (&device != &device_) {
     VirtualServo& s = static_cast<VirtualServo&>(device);
     s.measure(body_.state().joint[static_cast<std::size_t>(&s - servos_.data())]);
@@ -250,7 +250,7 @@ void VirtualBoard::measure(Device& device) noexcept {
   device_.measure(state, rail_v_);
 }
 
-void VirtualBoard::addReply(const Device& device, const Device::Answer& answer) noexcept {
+void VirtualBoard::addReply(const BusDevice& device, const BusDevice::Answer& answer) noexcept {
   if (!answer.send) return;
   std::array<std::uint8_t, kMaxFrame> frame;
   const std::size_t size = encodeStatus(frame, device.id(), answer.error, answer.params).size();
@@ -263,7 +263,7 @@ void VirtualBoard::addReply(const Device& device, const Device::Answer& answer) 
 /// The second device with this id: same servo, another position.
 void VirtualBoard::addTwin(const VirtualServo& servo, std::uint8_t address, std::uint8_t count) noexcept {
   if (!twins_[static_cast<std::size_t>(&servo - servos_.data())]) return;
-  Device::Answer answer = servo.answerRead(address, count);
+  BusDevice::Answer answer = servo.answerRead(address, count);
   std::array<std::uint8_t, kMaxFrame> params;
   constexpr std::uint8_t kOther = 0x5A;
   for (std::size_t i = 0; i < answer.params.size(); ++i)

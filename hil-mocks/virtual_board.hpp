@@ -40,7 +40,7 @@ struct BoardCounters {
 };
 
 /// The CM-730's registers.
-class BoardDevice : public Device {
+class BoardDevice : public BusDevice {
  public:
   explicit BoardDevice(std::uint8_t firmware);
   [[nodiscard]] bool servoPower() const { return table_.byte(board::kDxlPower) != 0; }
@@ -122,15 +122,15 @@ class VirtualBoard {
   void executeSyncWrite(Bytes params) noexcept;
   void startBulkRead(Bytes params) noexcept;
   void nextTurn() noexcept;
-  void carryOut(Device& device, std::uint8_t instruction, Bytes params) noexcept;
+  void carryOut(BusDevice& device, std::uint8_t instruction, Bytes params) noexcept;
   void afterBoardWrite() noexcept;
-  void measure(Device& device) noexcept;
+  void measure(BusDevice& device) noexcept;
   template <class F>
   void forEachListener(std::uint8_t id, F&& action) noexcept;
 
   // A status under construction. Two devices with one id transmit at once: their bits are AND-ed on the wire.
   void beginReply() noexcept { reply_size_ = 0; }
-  void addReply(const Device& device, const Device::Answer& answer) noexcept;
+  void addReply(const BusDevice& device, const BusDevice::Answer& answer) noexcept;
   void addTwin(const VirtualServo& servo, std::uint8_t address, std::uint8_t count) noexcept;
   void sendReply(bool on_the_bus) noexcept;
 

@@ -31,7 +31,7 @@ constexpr int kMovingTicks = 4;             // a larger distance to the goal cou
 }  // namespace
 
 VirtualServo::VirtualServo(Joint joint, const ServoOptions& options)
-    : Device{kServoLayout}, joint_{joint}, missing_{options.missing}, position_{row(joint).start} {
+    : BusDevice{kServoLayout}, joint_{joint}, missing_{options.missing}, position_{row(joint).start} {
   table_.setByte(servo::kId, options.id == 0 ? row(joint).id : options.id);
   table_.setByte(servo::kFirmware, options.firmware);
   table_.setByte(servo::kReturnDelay, options.return_delay);

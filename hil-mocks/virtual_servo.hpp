@@ -28,7 +28,7 @@ struct ServoOptions {
   }
 };
 
-class VirtualServo : public Device {
+class VirtualServo : public BusDevice {
  public:
   VirtualServo(Joint joint, const ServoOptions& options);
 

@@ -24,7 +24,7 @@ void erase(Chunk& chunk, std::size_t at) {
 
 }  // namespace
 
-void spoil(Chunk& chunk, const Fault& fault, Rng& random) noexcept {
+void spoil(Chunk& chunk, const InjectedFault& fault, Rng& random) noexcept {
   if (fault.kind == FaultKind::kDelay) {
     chunk.at += std::chrono::duration_cast<Nanos>(std::chrono::duration<double, std::milli>(fault.amount));
     return;
@@ -48,7 +48,7 @@ void spoil(Chunk& chunk, const Fault& fault, Rng& random) noexcept {
   }
 }
 
-void flicker(Chunk& chunk, const Fault& fault, Rng& random) noexcept {
+void flicker(Chunk& chunk, const InjectedFault& fault, Rng& random) noexcept {
   constexpr std::size_t kIdAt = 2, kErrorAt = 4, kShortest = 6;
   if (chunk.size < kShortest) return;
   const std::size_t joint = chunk.data[kIdAt] - std::size_t{1};

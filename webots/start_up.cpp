@@ -55,7 +55,7 @@ std::unique_ptr<RobotImpl> start() {
   const ConfigReading reading = readConfig(directory + "/config.ini");
   for (const std::string& warning : reading.warnings) logLine(warning);
 
-  connect::Request request;
+  connect::ConnectRequest request;
   request.setting = environment("DARWINOP_ROBOT");
   request.period = periodFromEnvironment();
   request.safety = reading.config.safety;

@@ -44,7 +44,7 @@ struct ShownRobot::Parts {
     }
   }
 
-  std::unique_ptr<twin::Screen> screen;
+  std::unique_ptr<twin::ViewOutput> screen;
   twin::WatchedBody* watched = nullptr;
   std::unique_ptr<webots_api::RobotImpl> robot;
 };

@@ -31,7 +31,7 @@ class ShownRobot final : public webots::Robot {
   void draw();
 
   twin::WatchedBody* watched_;  // owned by the robot
-  std::unique_ptr<twin::Screen> screen_;
+  std::unique_ptr<twin::ViewOutput> screen_;
   bool film_;
   double seconds_;
   std::chrono::steady_clock::time_point begin_;

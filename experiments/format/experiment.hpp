@@ -78,7 +78,7 @@ struct Phase {
   std::optional<double> arrive_at;  // rad; arrival
 };
 
-struct Setup {
+struct ExperimentSetup {
   int line = 0;
   std::array<int, kJoints> line_of{};  // of a joint set in the file; 0: from the named pose
   const NamedPose* named = nullptr;
@@ -95,7 +95,7 @@ struct Round {
 struct Experiment {
   std::string file, name, title, source;
   std::vector<std::string> description;
-  Setup setup;
+  ExperimentSetup setup;
   std::vector<Round> rounds;
   std::vector<Joint> record_joints;
   std::vector<std::string> record_sensors;  // "gyro", "accelerometer"

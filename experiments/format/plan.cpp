@@ -57,7 +57,7 @@ class Planner {
   }
 
   void planSetup() {
-    const Setup& setup = experiment_.setup;
+    const ExperimentSetup& setup = experiment_.setup;
     plan_.on_feet = setup.named->on_feet;
     plan_.setup_s = setup.duration_s + setup.settle_s;
     for (std::size_t i = 0; i < kJoints; ++i) {

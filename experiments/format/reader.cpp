@@ -75,7 +75,7 @@ class FileReader {
 
   void readSetup() {
     const Section& section = need("setup");
-    Setup& setup = out_.setup;
+    ExperimentSetup& setup = out_.setup;
     setup.line = section.line;
     const Entry& pose = need(section, "pose");
     std::vector<std::string_view> names;

@@ -39,7 +39,7 @@ bool isVirtualRobot(const std::string& port) {
 
 bool mayBeHardware(const std::string& setting) {
   const connect::Setting robot = connect::readSetting(setting);
-  if (robot.kind == connect::Kind::kSerial) return !isVirtualRobot(robot.port);
+  if (robot.kind == connect::RobotKind::kSerial) return !isVirtualRobot(robot.port);
   return connect::loopIsElsewhere(robot);
 }
 

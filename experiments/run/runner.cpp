@@ -38,17 +38,17 @@ Runner::Runner(webots::Robot& robot, const Experiment& experiment, const std::at
   robot.getAccelerometer("Accelerometer")->enable(step_ms_);
 }
 
-Outcome Runner::run() {
-  const Setup& setup = experiment_.setup;
+RunOutcome Runner::run() {
+  const ExperimentSetup& setup = experiment_.setup;
   phase_ = kSetupPhase;
   bool complete = moveTo(setup.pose, setup.duration_s, Stop::kAllowed) && wait(setup.settle_s);
   const bool fell = fall_.fallen();
   if (complete && !fell) complete = runRounds();
   const bool fell_in_phase = !fell && fall_.fallen() && !may_fall_;
   goBack();
-  if (ended_) return Outcome::kEnded;
-  if (fell_in_phase) return Outcome::kFellIn;
-  return fell ? Outcome::kFell : complete ? Outcome::kDone : Outcome::kStopped;
+  if (ended_) return RunOutcome::kEnded;
+  if (fell_in_phase) return RunOutcome::kFellIn;
+  return fell ? RunOutcome::kFell : complete ? RunOutcome::kDone : RunOutcome::kStopped;
 }
 
 bool Runner::runRounds() {

@@ -17,7 +17,7 @@ class Robot;
 
 namespace darwinop::experiments {
 
-enum class Outcome : std::uint8_t {
+enum class RunOutcome : std::uint8_t {
   kDone,
   kStopped,  // by the user; the robot is back in its start pose
   kEnded,    // by the robot or its safety layer, which logged the reason
@@ -38,7 +38,7 @@ class Runner {
   Runner(webots::Robot& robot, const Experiment& experiment, const std::atomic<bool>& stop, ProgressCallback on_step);
 
   /// Runs the experiment including the return to the start pose.
-  [[nodiscard]] Outcome run();
+  [[nodiscard]] RunOutcome run();
 
  private:
   struct DrivenJoint {

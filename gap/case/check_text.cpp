@@ -75,7 +75,7 @@ std::string asText(const DataCheck& check) {
   for (const bool reveals : {true, false}) {
     out += std::string{"\n"} + (reveals ? messages::kCanReveal : messages::kCannotReveal) + "\n";
     bool any = false;
-    for (const Finding& finding : check.findings) {
+    for (const DataFinding& finding : check.findings) {
       if (finding.reveals != reveals) continue;
       any = true;
       out += "  " + finding.sentence + "\n";

@@ -50,7 +50,7 @@ struct LogCheck {
 inline constexpr std::string_view kHeldOutLoadFinding = "held_out_load";
 
 /// Something that these data show, or do not.
-struct Finding {
+struct DataFinding {
   std::string_view id;                    // "no_torque_off"
   bool reveals = false;                   // true: they can
   std::string sentence;                   // for the user
@@ -63,7 +63,7 @@ struct DataCheck {
   Excitation fit;       // all logs that are fitted, copies once
   Excitation held_out;  // all held-out logs
   bool has_repeats = false;
-  std::vector<Finding> findings;  // what cannot be seen first
+  std::vector<DataFinding> findings;  // what cannot be seen first
   std::vector<std::string> warnings;
 };
 

@@ -122,13 +122,13 @@ std::vector<std::string_view> revealedBy(LogFeature feature) {
 
 }  // namespace
 
-std::vector<Finding> reveals(const DataCheck& check, const Case& c) {
-  std::vector<Finding> findings;
+std::vector<DataFinding> reveals(const DataCheck& check, const Case& c) {
+  std::vector<DataFinding> findings;
   const Seen seen{check, check.fit, c};
   for (const bool wanted : {false, true})
     for (const Rule& rule : kRules) {
       if (rule.reveals(seen) != wanted) continue;
-      Finding finding{rule.id, wanted, std::string{wanted ? rule.can : rule.cannot}, {}, {}};
+      DataFinding finding{rule.id, wanted, std::string{wanted ? rule.can : rule.cannot}, {}, {}};
       if (!wanted && rule.feature) finding.effects = revealedBy(*rule.feature);
       if (!wanted) finding.remedy = rule.remedy;
       findings.push_back(std::move(finding));

@@ -6,6 +6,6 @@
 namespace darwinop::gap {
 
 /// One finding a rule; what cannot be seen first.
-std::vector<Finding> reveals(const DataCheck& check, const Case& c);
+std::vector<DataFinding> reveals(const DataCheck& check, const Case& c);
 
 }  // namespace darwinop::gap

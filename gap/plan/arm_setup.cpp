@@ -38,7 +38,7 @@ ArmSetup armSetupFor(Joint joint, std::optional<double> hangs_at_rad) {
     if (arm.joint == joint) stand.hangs_at_rad = arm.hangs_at_rad;
   if (hangs_at_rad) stand.hangs_at_rad = *hangs_at_rad;
 
-  experiments::Setup& setup = stand.setup;
+  experiments::ExperimentSetup& setup = stand.setup;
   setup.named = experiments::namedPoses().data();
   setup.pose = experiments::startPose();
   stretchArm(joint, setup.pose);
@@ -49,7 +49,7 @@ ArmSetup armSetupFor(Joint joint, std::optional<double> hangs_at_rad) {
   return stand;
 }
 
-void takeTimeFor(experiments::Setup& setup) {
+void takeTimeFor(experiments::ExperimentSetup& setup) {
   double way = 0;
   for (std::size_t i = 0; i < kJoints; ++i) way = std::max(way, std::abs(setup.pose[i] - experiments::startPose()[i]));
   setup.duration_s = std::max(2.0, std::ceil(experiments::kSteepest * way / experiments::kSetupMost));

@@ -9,12 +9,12 @@ namespace darwinop::gap {
 
 struct ArmSetup {
   Joint joint = Joint::kShoulderR;
-  double hangs_at_rad = 0;   // angle of the joint at which the arm hangs down; a case counts from there
-  experiments::Setup setup;  // first pose: the arm hangs, or comes as near to it as the joint allows
+  double hangs_at_rad = 0;             // angle of the joint at which the arm hangs down; a case counts from there
+  experiments::ExperimentSetup setup;  // first pose: the arm hangs, or comes as near to it as the joint allows
 };
 
 /// Long enough for the way from the start pose to the first pose at the speed that is allowed there.
-void takeTimeFor(experiments::Setup& setup);
+void takeTimeFor(experiments::ExperimentSetup& setup);
 
 /// `hangs_at_rad`: nothing is what is known of the robot's arms, 0 for another joint.
 ArmSetup armSetupFor(Joint joint, std::optional<double> hangs_at_rad = {});

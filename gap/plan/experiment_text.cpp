@@ -124,7 +124,7 @@ std::string experimentText(const experiments::Experiment& experiment, const std:
   if (!experiment.source.empty()) out.line("source", experiment.source);
   for (const std::string& line : experiment.description) out.line("description", line);
 
-  const experiments::Setup& setup = experiment.setup;
+  const experiments::ExperimentSetup& setup = experiment.setup;
   out.section("setup");
   out.line("pose", std::string{setup.named->name});
   for (std::size_t i = 0; i < kJoints; ++i)

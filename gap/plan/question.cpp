@@ -25,7 +25,7 @@ std::vector<std::string> idsFound(const Identification& identification) {
 std::vector<const twin::EffectInfo*> hiddenOnes(const Case& given) {
   std::vector<const twin::EffectInfo*> hidden;
   const std::vector<const twin::EffectInfo*> candidates = candidateEffectsOf(given);
-  for (const Finding& finding : checkData(given).findings) {
+  for (const DataFinding& finding : checkData(given).findings) {
     if (finding.reveals) continue;
     for (const twin::EffectInfo* const effect : candidates)
       if (std::ranges::find(finding.effects, effect->id) != finding.effects.end() &&

@@ -12,7 +12,7 @@ std::int16_t sixteenBits(float value) {
   return static_cast<std::int16_t>(std::lrint(std::clamp(value, -1.0F, 1.0F) * 32767.0F));
 }
 
-Setting settingOf(const PlaySound& play) {
+TrackSetting settingOf(const PlaySound& play) {
   return {.volume = play.volume, .pitch = play.pitch, .balance = play.balance, .loop = play.loop};
 }
 }  // namespace
@@ -58,9 +58,9 @@ void Mixer::stop(const StopSound& stop) {
 }
 
 void Mixer::mix(std::span<Sample> out) {
-  sum_.assign(out.size(), Frame{});
+  sum_.assign(out.size(), AudioFrame{});
   end([&](Sound& sound) { return !sound.track.addTo(sum_); });
-  std::ranges::transform(sum_, out.begin(), [](const Frame& sum) {
+  std::ranges::transform(sum_, out.begin(), [](const AudioFrame& sum) {
     return Sample{sixteenBits(sum.left), sixteenBits(sum.right)};
   });
 }

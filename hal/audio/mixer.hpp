@@ -53,7 +53,7 @@ class Mixer {
 
   std::list<Sound> sounds_;
   std::vector<SoundId> ended_;
-  std::vector<Frame> sum_;
+  std::vector<AudioFrame> sum_;
 };
 
 }  // namespace darwinop::audio

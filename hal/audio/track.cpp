@@ -23,12 +23,12 @@ Track::Next Track::advance() {
   return Next::kFrame;
 }
 
-bool Track::addTo(std::span<Frame> mix) {
+bool Track::addTo(std::span<AudioFrame> mix) {
   const double step = frames_a_mix_frame_ * setting_.pitch;
   const auto volume = static_cast<float>(setting_.volume);
   const float left = volume * static_cast<float>(std::min(1.0, 1 - setting_.balance));
   const float right = volume * static_cast<float>(std::min(1.0, 1 + setting_.balance));
-  for (Frame& out : mix) {
+  for (AudioFrame& out : mix) {
     for (; at_ >= 1; at_ -= 1) {
       const Next next = advance();
       if (next == Next::kOver) return false;

@@ -32,7 +32,7 @@ std::chrono::nanoseconds timeOf(const v4l2_buffer& buffer) noexcept {
   return monotonicNow();
 }
 
-std::uint32_t grantedBuffers(const Device& device) {
+std::uint32_t grantedBuffers(const V4l2Device& device) {
   v4l2_requestbuffers wanted{};
   wanted.count = StreamBuffers::kAsked;
   wanted.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -48,7 +48,7 @@ std::uint32_t grantedBuffers(const Device& device) {
 
 }  // namespace
 
-StreamBuffers::StreamBuffers(const Device& device) : device_{device} {
+StreamBuffers::StreamBuffers(const V4l2Device& device) : device_{device} {
   try {
     map();
     for (std::uint32_t i = 0; i < count(); ++i)

@@ -29,7 +29,7 @@ class StreamBuffers {
   static constexpr const char *kNoBuffer = "no buffer", *kOneBuffer = "a single buffer";
 
   /// Throws CameraRefused. `device` must outlive it.
-  explicit StreamBuffers(const Device& device);
+  explicit StreamBuffers(const V4l2Device& device);
   ~StreamBuffers();
   StreamBuffers(const StreamBuffers&) = delete;
   StreamBuffers& operator=(const StreamBuffers&) = delete;
@@ -47,7 +47,7 @@ class StreamBuffers {
   void map();
   void release() noexcept;
 
-  const Device& device_;
+  const V4l2Device& device_;
   std::vector<std::span<std::uint8_t>> mapped_;
 };
 

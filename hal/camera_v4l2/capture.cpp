@@ -83,7 +83,7 @@ bool Capture::attempt() {
 
 /// From opening the device until it is lost. Returns true if pictures arrived.
 bool Capture::session() {
-  const Device device{options_.device};
+  const V4l2Device device{options_.device};
   const PictureShape shape = agree(device);
   applySettings(device, options_.settings, [this](const std::string& sentence) { reporter_.remark(sentence); });
   StreamBuffers buffers{device};
@@ -102,7 +102,7 @@ bool Capture::session() {
   return counters_.frames.load(std::memory_order_relaxed) != before;
 }
 
-PictureShape Capture::agree(const Device& device) {
+PictureShape Capture::agree(const V4l2Device& device) {
   if (!streamed_)
     return negotiate(device, askable(options_), [this](const std::string& sentence) { reporter_.remark(sentence); });
   // The user has allocated for this size.
@@ -112,7 +112,7 @@ PictureShape Capture::agree(const Device& device) {
   return shape;
 }
 
-Capture::Ending Capture::watch(const Device& device, PictureTaker& taker) {
+Capture::Ending Capture::watch(const V4l2Device& device, PictureTaker& taker) {
   const Nanos silent = options_.patience.silent;
   const std::uint64_t damaged_before = counters_.damaged.load(std::memory_order_relaxed);
   Nanos last = monotonicNow();

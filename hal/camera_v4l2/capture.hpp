@@ -44,8 +44,8 @@ class Capture {
   };
   bool attempt();
   bool session();
-  [[nodiscard]] PictureShape agree(const Device& device);
-  Ending watch(const Device& device, PictureTaker& taker);
+  [[nodiscard]] PictureShape agree(const V4l2Device& device);
+  Ending watch(const V4l2Device& device, PictureTaker& taker);
   static Ending lost(int error);
   void report(CameraError kind, const std::string& sentence);
 

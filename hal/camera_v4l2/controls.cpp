@@ -15,7 +15,7 @@ struct ControlRow {
   int wanted;
 };
 
-void apply(const Device& device, const ControlRow& row, const Remark& remark) {
+void apply(const V4l2Device& device, const ControlRow& row, const Remark& remark) {
   v4l2_queryctrl about{};
   about.id = row.id;
   constexpr std::uint32_t kNotOurs = V4L2_CTRL_FLAG_DISABLED | V4L2_CTRL_FLAG_READ_ONLY | V4L2_CTRL_FLAG_GRABBED;
@@ -49,7 +49,7 @@ ControlDecision decide(int wanted, const ControlRange& range) {
   return {What::kWrite, value};
 }
 
-void applySettings(const Device& device, const CameraSettings& settings, const Remark& remark) {
+void applySettings(const V4l2Device& device, const CameraSettings& settings, const Remark& remark) {
   // UVC cameras with automatic exposure use aperture priority (they have no aperture).
   const int exposure_mode = settings.auto_exposure ? V4L2_EXPOSURE_APERTURE_PRIORITY : V4L2_EXPOSURE_MANUAL;
   const auto rows = std::to_array<ControlRow>({

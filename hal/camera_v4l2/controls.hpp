@@ -24,6 +24,6 @@ struct ControlDecision {
 
 /// Automatic modes first: some cameras reject a value while they are automatic. Skips controls that the camera does not
 /// have; reports rejected ones through `remark`. Never throws because of the device.
-void applySettings(const Device& device, const CameraSettings& settings, const Remark& remark);
+void applySettings(const V4l2Device& device, const CameraSettings& settings, const Remark& remark);
 
 }  // namespace darwinop::v4l2

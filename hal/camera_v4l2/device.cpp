@@ -27,7 +27,7 @@ void checkCapabilities(int fd, const std::string& path) {
 
 }  // namespace
 
-Device::Device(std::string path) : path_{std::move(path)} {
+V4l2Device::V4l2Device(std::string path) : path_{std::move(path)} {
   fd_ = ::open(path_.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   if (fd_ < 0) refuse(path_, errno);
   try {
@@ -38,7 +38,7 @@ Device::Device(std::string path) : path_{std::move(path)} {
   }
 }
 
-Device::~Device() {
+V4l2Device::~V4l2Device() {
   ::close(fd_);
 }
 

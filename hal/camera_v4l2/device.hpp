@@ -20,13 +20,13 @@ template <class Argument>
   return result < 0 ? errno : 0;
 }
 
-class Device {
+class V4l2Device {
  public:
   /// Throws CameraRefused if it is absent, not permitted, or not a streaming camera.
-  explicit Device(std::string path);
-  ~Device();
-  Device(const Device&) = delete;
-  Device& operator=(const Device&) = delete;
+  explicit V4l2Device(std::string path);
+  ~V4l2Device();
+  V4l2Device(const V4l2Device&) = delete;
+  V4l2Device& operator=(const V4l2Device&) = delete;
 
   [[nodiscard]] int fd() const noexcept { return fd_; }
   [[nodiscard]] const std::string& path() const noexcept { return path_; }

@@ -24,7 +24,7 @@ void resetCropping(int fd) {
 }
 
 /// The driver picks the nearest rate for this size. Drivers with a fixed rate lack this call or return 0.
-void askForRate(const Device& device, Size size, const Remark& remark) {
+void askForRate(const V4l2Device& device, Size size, const Remark& remark) {
   constexpr unsigned kPicturesPerSecond = 30;
   constexpr double kClearlySlower = 0.9;
   v4l2_streamparm rate{};
@@ -57,7 +57,7 @@ PictureShape shapeOf(const v4l2_pix_format& given) {
           std::max<std::size_t>(given.bytesperline, 2u * given.width)};
 }
 
-PictureShape askFor(const Device& device, Size wanted) {
+PictureShape askFor(const V4l2Device& device, Size wanted) {
   v4l2_format format{};
   format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   v4l2_pix_format& pixels = format.fmt.pix;
@@ -87,7 +87,7 @@ std::string text(Size size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
-PictureShape negotiate(const Device& device, Size wanted, const Remark& remark) {
+PictureShape negotiate(const V4l2Device& device, Size wanted, const Remark& remark) {
   resetCropping(device.fd());
   PictureShape given = askFor(device, wanted);
   if (given.size != wanted) {

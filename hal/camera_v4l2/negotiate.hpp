@@ -30,6 +30,6 @@ using Remark = std::function<void(const std::string&)>;
 
 /// No cropping, YUYV, 30 pictures/s and the wanted size. If the device does not support the size, requests kFallback
 /// and accepts what it gives. Throws CameraRefused.
-[[nodiscard]] PictureShape negotiate(const Device& device, Size wanted, const Remark& remark);
+[[nodiscard]] PictureShape negotiate(const V4l2Device& device, Size wanted, const Remark& remark);
 
 }  // namespace darwinop::v4l2

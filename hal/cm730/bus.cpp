@@ -90,7 +90,7 @@ std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcep
   BulkReadEncoder request{frame_};
   request.add(kBoardId, kBoardWindow.address, tag_.boardBytes());
   for (const ReadList::Entry entry : list) {
-    const Window window = kServoWindows[entry.poll];
+    const RegisterWindow window = kServoWindows[entry.poll];
     request.add(servoId(entry.joint), window.address, window.count);
   }
   send(request.finish());

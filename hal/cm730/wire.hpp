@@ -18,24 +18,24 @@ constexpr Nanos wireTime(std::size_t bytes) {
 }
 
 /// `count` bytes of registers from `address` on.
-struct Window {
+struct RegisterWindow {
   std::uint8_t address, count;
   [[nodiscard]] constexpr std::size_t frameBytes() const { return count + kFrameOverhead; }
 };
 
 // Board: power, LEDs, buttons, gyro, accelerometer, voltage, left microphone.
-inline constexpr Window kBoardWindow{24, 30};  // 24..53
+inline constexpr RegisterWindow kBoardWindow{24, 30};  // 24..53
 
 // Servos: position, speed, load in every cycle. The torque limit (34, 35) is read by the poll: the error byte of every
 // reply reports a shutdown sooner, and 20 x 2 bytes would cost 0.4 ms per cycle.
-inline constexpr Window kServoWindow{36, 6};  // 36..41
+inline constexpr RegisterWindow kServoWindow{36, 6};  // 36..41
 
 // Round-robin poll of one servo per cycle: torque enable, gains, goal, limits, motion, voltage, temperature. 14 bytes
 // more: 0.14 ms; a round of twenty servos takes 0.32 s at 16 ms.
-inline constexpr Window kServoPoll{24, 20};  // 24..43
+inline constexpr RegisterWindow kServoPoll{24, 20};  // 24..43
 
 /// Window to read from a servo; index: whether it is polled.
-inline constexpr std::array<Window, 2> kServoWindows{kServoWindow, kServoPoll};
+inline constexpr std::array<RegisterWindow, 2> kServoWindows{kServoWindow, kServoPoll};
 
 static_assert(kServoWindow.address == servo::kPresentPosition);
 static_assert(kServoPoll.address + kServoPoll.count == servo::kPresentTemperature + 1);

@@ -54,8 +54,8 @@ void KeyWindow::make() {
   const std::array<std::uint32_t, 2> values{
       screen_.white_pixel, XCB_EVENT_MASK_KEY_PRESS | XCB_EVENT_MASK_KEY_RELEASE | XCB_EVENT_MASK_FOCUS_CHANGE |
                                XCB_EVENT_MASK_EXPOSURE | XCB_EVENT_MASK_STRUCTURE_NOTIFY | XCB_EVENT_MASK_BUTTON_PRESS};
-  ::xcb_create_window(connection_.get(), XCB_COPY_FROM_PARENT, window_, screen_.root, 0, 0, Picture::kWidth,
-                      Picture::kHeight, 0, XCB_WINDOW_CLASS_INPUT_OUTPUT, screen_.root_visual,
+  ::xcb_create_window(connection_.get(), XCB_COPY_FROM_PARENT, window_, screen_.root, 0, 0, KeyWindowCanvas::kWidth,
+                      KeyWindowCanvas::kHeight, 0, XCB_WINDOW_CLASS_INPUT_OUTPUT, screen_.root_visual,
                       XCB_CW_BACK_PIXEL | XCB_CW_EVENT_MASK, values.data());
 }
 

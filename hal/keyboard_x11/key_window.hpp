@@ -46,7 +46,7 @@ class KeyWindow {
   const xcb_screen_t& screen_;
   xcb_window_t window_;
   KeyMap map_;
-  Picture picture_;
+  KeyWindowCanvas picture_;
   xcb_atom_t delete_window_ = XCB_NONE;
   std::optional<unsigned> asked_;  // sequence number of a pending request
   bool focused_ = false, changed_ = true, closed_ = false;

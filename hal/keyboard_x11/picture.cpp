@@ -24,7 +24,7 @@ xcb_font_t openFont(xcb_connection_t* connection) {
 
 }  // namespace
 
-Picture::Picture(xcb_connection_t* connection, const xcb_screen_t& screen, xcb_window_t window)
+KeyWindowCanvas::KeyWindowCanvas(xcb_connection_t* connection, const xcb_screen_t& screen, xcb_window_t window)
     : connection_{connection}, screen_{screen}, window_{window}, pen_{::xcb_generate_id(connection)} {
   ::xcb_create_gc(connection_, pen_, window_, 0, nullptr);
   if (const xcb_font_t font = openFont(connection_); font != XCB_NONE) {
@@ -35,18 +35,18 @@ Picture::Picture(xcb_connection_t* connection, const xcb_screen_t& screen, xcb_w
   inactive_ = colour(0xB000, 0x2000, 0x1000);
 }
 
-std::uint32_t Picture::colour(std::uint16_t red, std::uint16_t green, std::uint16_t blue) const {
+std::uint32_t KeyWindowCanvas::colour(std::uint16_t red, std::uint16_t green, std::uint16_t blue) const {
   const auto asked = ::xcb_alloc_color(connection_, screen_.default_colormap, red, green, blue);
   const Reply<xcb_alloc_color_reply_t> reply{::xcb_alloc_color_reply(connection_, asked, nullptr)};
   return reply ? reply->pixel : screen_.black_pixel;
 }
 
-void Picture::fill(const xcb_rectangle_t& area, std::uint32_t colour) const {
+void KeyWindowCanvas::fill(const xcb_rectangle_t& area, std::uint32_t colour) const {
   ::xcb_change_gc(connection_, pen_, XCB_GC_FOREGROUND, &colour);
   ::xcb_poly_fill_rectangle(connection_, window_, pen_, 1, &area);
 }
 
-void Picture::write(std::int16_t y, const std::string& text, std::uint32_t colour, std::uint32_t ground) const {
+void KeyWindowCanvas::write(std::int16_t y, const std::string& text, std::uint32_t colour, std::uint32_t ground) const {
   const std::array<std::uint32_t, 2> colours{colour, ground};
   ::xcb_change_gc(connection_, pen_, XCB_GC_FOREGROUND | XCB_GC_BACKGROUND, colours.data());
   constexpr std::size_t kMost = 255;  // per request
@@ -54,7 +54,7 @@ void Picture::write(std::int16_t y, const std::string& text, std::uint32_t colou
                      text.data());
 }
 
-void Picture::draw(bool listening, const std::string& keys) const {
+void KeyWindowCanvas::draw(bool listening, const std::string& keys) const {
   constexpr std::uint16_t kFar = 4096;  // covers an enlarged window
   const std::uint32_t band = listening ? active_ : inactive_, white = screen_.white_pixel, black = screen_.black_pixel;
   fill({0, 0, kFar, kBandHeight}, band);

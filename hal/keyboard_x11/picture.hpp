@@ -8,11 +8,11 @@
 
 namespace darwinop::x11 {
 
-class Picture {
+class KeyWindowCanvas {
  public:
   static constexpr std::uint16_t kWidth = 500, kHeight = 150;
 
-  Picture(xcb_connection_t* connection, const xcb_screen_t& screen, xcb_window_t window);
+  KeyWindowCanvas(xcb_connection_t* connection, const xcb_screen_t& screen, xcb_window_t window);
 
   /// `keys`: display names. Sends the requests without flushing.
   void draw(bool listening, const std::string& keys) const;

@@ -36,21 +36,21 @@ struct Slot {
 
 /// The writer uses the slots in turn, so that a copying reader is disturbed only after three more pictures. A writer
 /// that dies in the middle leaves an odd `turn` and `newest` at the previous picture: readers never block.
-struct Window {
+struct SharedWindow {
   static constexpr std::uint32_t kMagic = 0x57504f44;  // "DOPW"
   static constexpr std::uint32_t kLayout = 1;          // increment when a member changes
   static constexpr std::uint32_t kSlots = 3;
 
   std::uint32_t magic = kMagic;
   std::uint32_t layout = kLayout;
-  std::uint32_t size = sizeof(Window);
+  std::uint32_t size = sizeof(SharedWindow);
   std::atomic<std::uint32_t> other_size{0};  // width << 16 | height of a picture of unsupported size; 0: none
   std::atomic<std::uint32_t> newest{0};      // slot + 1; 0: none yet
   std::array<Slot, kSlots> slots{};
 };
 
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
-static_assert(sizeof(Slot) == 64 + kPictureBytes && sizeof(Window) == 64 + 3 * sizeof(Slot),
+static_assert(sizeof(Slot) == 64 + kPictureBytes && sizeof(SharedWindow) == 64 + 3 * sizeof(Slot),
               "same layout for 32 and 64 bits");
 
 }  // namespace darwinop::shared_picture

@@ -33,7 +33,7 @@ CameraFrame Reader::newest() {
   if (memory_.lost()) unmap();
   if (window_ == nullptr) return frame_;
   const std::uint32_t newest = window_->newest.load(std::memory_order_acquire);
-  if (newest >= 1 && newest <= Window::kSlots && copy(window_->slots[newest - 1], now)) {
+  if (newest >= 1 && newest <= SharedWindow::kSlots && copy(window_->slots[newest - 1], now)) {
     shown_.swap(spare_);
     frame_.yuyv = shown_;
     ++frames_;
@@ -84,11 +84,11 @@ void Reader::attach(Nanos now) {
     return;
   }
   try {
-    memory_ = GuardedMapping{file.fd, sizeof(Window), PROT_READ};
+    memory_ = GuardedMapping{file.fd, sizeof(SharedWindow), PROT_READ};
   } catch (const std::system_error& error) {
     return log("cannot map " + options_.files.pictures + ": " + std::strerror(error.code().value()));
   }
-  window_ = static_cast<const Window*>(memory_.data());
+  window_ = static_cast<const SharedWindow*>(memory_.data());
   device_ = status.st_dev;
   inode_ = status.st_ino;
   since_ = now;
@@ -101,9 +101,10 @@ std::string Reader::rejection(int file) const {
   if (options_.group != static_cast<gid_t>(-1) && status.st_gid != options_.group)
     return "not owned by the runtime's group";
   std::uint32_t head[3] = {};
-  const bool ours = status.st_size == static_cast<off_t>(sizeof(Window)) &&
+  const bool ours = status.st_size == static_cast<off_t>(sizeof(SharedWindow)) &&
                     ::pread(file, head, sizeof head, 0) == static_cast<ssize_t>(sizeof head) &&
-                    head[0] == Window::kMagic && head[1] == Window::kLayout && head[2] == sizeof(Window);
+                    head[0] == SharedWindow::kMagic && head[1] == SharedWindow::kLayout &&
+                    head[2] == sizeof(SharedWindow);
   if (ours) return {};
   return std::string{kOtherVersion} + "; build the controller and darwinop monitor from the same version";
 }

@@ -49,7 +49,7 @@ class Reader final : public FrameSource {
 
   Options options_;
   GuardedMapping memory_;
-  const Window* window_ = nullptr;
+  const SharedWindow* window_ = nullptr;
   dev_t device_ = 0;
   ino_t inode_ = 0;
   Nanos next_ask_{0}, since_{0};

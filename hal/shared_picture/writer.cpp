@@ -58,14 +58,14 @@ Writer::Writer(WindowFiles files, gid_t group) : files_{std::move(files)} {
   try {
     asked_ = makeFresh(files_.asked + ending, 0660, group, sizeof(std::int64_t));
     replaceWindow(files_.asked + ending, files_.asked);
-    pictures_ = makeFresh(files_.pictures + ending, 0640, group, sizeof(Window));
+    pictures_ = makeFresh(files_.pictures + ending, 0640, group, sizeof(SharedWindow));
     try {
-      memory_ = GuardedMapping{pictures_, sizeof(Window), PROT_READ | PROT_WRITE};
+      memory_ = GuardedMapping{pictures_, sizeof(SharedWindow), PROT_READ | PROT_WRITE};
     } catch (const std::system_error& error) {
       ::unlink((files_.pictures + ending).c_str());
       failWindow("cannot map " + files_.pictures, error.code().value(), "end other programs");
     }
-    window_ = new (memory_.data()) Window{};
+    window_ = new (memory_.data()) SharedWindow{};
     replaceWindow(files_.pictures + ending, files_.pictures);
   } catch (...) {
     removeOwn();
@@ -105,7 +105,7 @@ bool Writer::put(const pixels::YuyvImage& image, std::uint64_t sequence, Nanos t
   pixels::copyWithoutGaps(image, slot.bytes);
   slot.turn.store(turn + 2, std::memory_order_release);
   window_->newest.store(next_ + 1, std::memory_order_release);
-  next_ = (next_ + 1) % Window::kSlots;
+  next_ = (next_ + 1) % SharedWindow::kSlots;
   return true;
 }
 

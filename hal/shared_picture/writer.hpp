@@ -34,7 +34,7 @@ class Writer {
   WindowFiles files_;
   int pictures_ = -1, asked_ = -1;
   GuardedMapping memory_;  // truncation by another process must not end this one
-  Window* window_ = nullptr;
+  SharedWindow* window_ = nullptr;
   std::uint32_t next_ = 0;
 };
 

@@ -11,8 +11,8 @@ namespace darwinop::hil {
 using Colour = std::array<std::uint8_t, 3>;  // red, green, blue
 
 /// Controller format: blue, green, red, 255 per pixel, top row first, no padding.
-struct Picture {
-  Picture(int width_px, int height_px)
+struct PaintedPicture {
+  PaintedPicture(int width_px, int height_px)
       : width{width_px},
         height{height_px},
         bgra(4 * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px), 255) {}

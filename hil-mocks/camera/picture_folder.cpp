@@ -26,14 +26,14 @@ std::string ending(const fs::path& file) {
   return text;
 }
 
-Picture fromRgb(int width, int height, const std::uint8_t* rgb) {
-  Picture picture{width, height};
+PaintedPicture fromRgb(int width, int height, const std::uint8_t* rgb) {
+  PaintedPicture picture{width, height};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x, rgb += 3) picture.set(x, y, {rgb[0], rgb[1], rgb[2]});
   return picture;
 }
 
-Picture readPng(const fs::path& file) {
+PaintedPicture readPng(const fs::path& file) {
   std::vector<std::uint8_t> rgb;
   unsigned width = 0, height = 0;
   const unsigned error = lodepng::decode(rgb, width, height, file.string(), LCT_RGB);
@@ -48,7 +48,7 @@ int number(std::istream& in) {
   return in >> value ? value : -1;
 }
 
-Picture readPpm(const fs::path& file) {
+PaintedPicture readPpm(const fs::path& file) {
   std::ifstream in{file, std::ios::binary};
   if (!in) fail(file, "cannot open it; check its permissions");
   char kind[2] = {};
@@ -66,7 +66,7 @@ Picture readPpm(const fs::path& file) {
 
 }  // namespace
 
-Picture readPicture(const fs::path& file) {
+PaintedPicture readPicture(const fs::path& file) {
   if (fs::exists(file) && !fs::is_regular_file(file)) fail(file, std::string{kNotRegularFile} + "; remove it");
   return ending(file) == ".ppm" ? readPpm(file) : readPng(file);
 }
@@ -83,8 +83,8 @@ PictureFolder::PictureFolder(const fs::path& folder, std::uint32_t frames_each)
   for (const fs::path& file : files) pictures_.push_back(readPicture(file));
 }
 
-void PictureFolder::draw(Picture& onto, std::uint32_t frame) const {
-  const Picture& from = pictures_[frame / frames_each_ % pictures_.size()];
+void PictureFolder::draw(PaintedPicture& onto, std::uint32_t frame) const {
+  const PaintedPicture& from = pictures_[frame / frames_each_ % pictures_.size()];
   for (int y = 0; y < onto.height; ++y)
     for (int x = 0; x < onto.width; ++x)
       onto.set(x, y,

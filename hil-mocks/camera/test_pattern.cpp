@@ -12,13 +12,13 @@ constexpr int kCounterShare = 8;  // share of the height
 constexpr Colour kWhite{235, 235, 235}, kBlack{16, 16, 16};
 constexpr double kRadiusShare = 0.08;  // of the height; a 10 cm ball at half a metre
 
-int counterTop(const Picture& picture) {
+int counterTop(const PaintedPicture& picture) {
   return picture.height - picture.height / kCounterShare;
 }
 
 }  // namespace
 
-void drawBars(Picture& picture, std::uint32_t frame) {
+void drawBars(PaintedPicture& picture, std::uint32_t frame) {
   const int top = counterTop(picture);
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
@@ -27,7 +27,7 @@ void drawBars(Picture& picture, std::uint32_t frame) {
     }
 }
 
-std::uint32_t frameNumber(const Picture& picture) {
+std::uint32_t frameNumber(const PaintedPicture& picture) {
   const int y = (counterTop(picture) + picture.height) / 2;
   std::uint32_t number = 0;
   for (int bit = 0; bit < kBits; ++bit) {
@@ -37,13 +37,13 @@ std::uint32_t frameNumber(const Picture& picture) {
   return number;
 }
 
-Ball ballAt(int width, int height, double seconds) {
+PaintedBall ballAt(int width, int height, double seconds) {
   const double angle = 2 * std::numbers::pi * seconds / kBallTurnS, circle = height / 4.0;
   return {width / 2.0 + circle * std::cos(angle), height / 2.0 + circle * std::sin(angle), kRadiusShare * height};
 }
 
-void drawBall(Picture& picture, double seconds) {
-  const Ball ball = ballAt(picture.width, picture.height, seconds);
+void drawBall(PaintedPicture& picture, double seconds) {
+  const PaintedBall ball = ballAt(picture.width, picture.height, seconds);
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
       const double dx = x + 0.5 - ball.x, dy = y + 0.5 - ball.y;

@@ -12,20 +12,20 @@ inline constexpr Colour kBars[] = {{191, 191, 191}, {191, 191, 0}, {0, 191, 191}
                                    {191, 0, 191},   {191, 0, 0},   {0, 0, 191},   {0, 0, 0}};
 
 /// Bars, and below them the frame number: sixteen blocks, white for 1, most significant bit left.
-void drawBars(Picture& picture, std::uint32_t frame);
+void drawBars(PaintedPicture& picture, std::uint32_t frame);
 /// Decodes the number drawn by drawBars() (16 bits), also from a captured picture.
-std::uint32_t frameNumber(const Picture& picture);
+std::uint32_t frameNumber(const PaintedPicture& picture);
 
 inline constexpr double kBallTurnS = 4;  // one clockwise turn
 inline constexpr Colour kBallColour{220, 30, 30}, kLawnColour{40, 110, 50};
 
-struct Ball {
+struct PaintedBall {
   double x, y, radius;  // pixels from the left and from the top, of the centre
 };
 
 /// Circle around the centre with a radius of a quarter of the height; at time 0 the ball is at the right.
-Ball ballAt(int width, int height, double seconds);
+PaintedBall ballAt(int width, int height, double seconds);
 /// A red ball on green.
-void drawBall(Picture& picture, double seconds);
+void drawBall(PaintedPicture& picture, double seconds);
 
 }  // namespace darwinop::hil

@@ -15,7 +15,7 @@ constexpr Nanos kPeriod{16'000'000};
 
 TEST(Cycle, AllocatesNothingInTenThousandCyclesUnderFaults) {
   hil::VirtualRobot robot;
-  hil::Fault faults;
+  hil::InjectedFault faults;
   faults.kind = hil::FaultKind::kRandom;
   faults.amount = 2.0;  // a second
   robot.faults().add(faults);

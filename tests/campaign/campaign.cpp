@@ -23,8 +23,8 @@ hil::BoardOptions slowStarters() {
   return options;
 }
 
-hil::Fault randomFaults(double per_second, hil::FaultKinds kinds) {
-  hil::Fault fault;
+hil::InjectedFault randomFaults(double per_second, hil::FaultKinds kinds) {
+  hil::InjectedFault fault;
   fault.kind = FaultKind::kRandom;
   fault.amount = per_second;
   fault.kinds = kinds;

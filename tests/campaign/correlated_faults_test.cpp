@@ -53,14 +53,14 @@ struct Scene : Campaign {
     ASSERT_TRUE(well());
   }
   void add(FaultKind kind, Nanos in, Nanos lasts, std::bitset<kJoints> joints = {}) {
-    hil::Fault fault;
+    hil::InjectedFault fault;
     fault.kind = kind;
     fault.at = line.now() + in;
     fault.lasts = lasts;
     fault.joints = joints;
     add(fault);
   }
-  void add(const hil::Fault& fault) { robot.faults().add(fault); }
+  void add(const hil::InjectedFault& fault) { robot.faults().add(fault); }
   [[nodiscard]] State state() const { return loop.sensors().safety.state; }
   [[nodiscard]] int pulling() const {
     int count = 0;
@@ -102,7 +102,7 @@ TEST(CorrelatedFaults, ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump) {
                      std::to_string(boot_ms) + " ms");
         Scene scene;
         scene.runUntilDriven();
-        hil::Fault dead;
+        hil::InjectedFault dead;
         dead.kind = FaultKind::kDead;
         dead.at = scene.line.now() + milliseconds{3};
         dead.lasts = milliseconds{dropout_ms};
@@ -121,7 +121,7 @@ TEST(CorrelatedFaults, FiveLostAnswersInARowNeverInterruptDriving) {
       SCOPED_TRACE(std::to_string(count) + " lost answers, phase " + std::to_string(phase_ms) + " ms");
       Scene scene;
       scene.runUntilDriven();
-      hil::Fault miss;
+      hil::InjectedFault miss;
       miss.kind = FaultKind::kMiss;
       miss.at = scene.line.now() + milliseconds{phase_ms};
       miss.amount = count;
@@ -141,7 +141,7 @@ TEST(CorrelatedFaults, SixToEightLostAnswersCostNoMoreThanAGentleTakeover) {
   for (const int count : {6, 7, 8}) {
     Scene scene;
     scene.runUntilDriven();
-    hil::Fault miss;
+    hil::InjectedFault miss;
     miss.kind = FaultKind::kMiss;
     miss.at = scene.line.now();
     miss.amount = count;
@@ -156,7 +156,7 @@ TEST(CorrelatedFaults, SixToEightLostAnswersCostNoMoreThanAGentleTakeover) {
 long shutdownsOfAStuckKnee(SteadyController::Streams streams, int phase_ms) {
   Scene scene{streams};
   scene.runUntilDriven();
-  hil::Fault jam;
+  hil::InjectedFault jam;
   jam.kind = FaultKind::kJam;
   jam.at = scene.line.now() + milliseconds{phase_ms};
   jam.amount = 1;  // s
@@ -190,7 +190,7 @@ TEST(CorrelatedFaults, ModeAndResetEndTorqueAtAnyMomentAndOnlyAPersonBringsItBac
       Scene scene;
       scene.run(after);
       const bool was_up = scene.pulling() > 0;
-      hil::Fault press;
+      hil::InjectedFault press;
       press.kind = reset ? FaultKind::kReset : FaultKind::kButton;
       press.bits = 1;
       press.at = scene.line.now() + milliseconds{after % 16};
@@ -215,7 +215,7 @@ TEST(CorrelatedFaults, ResetInTheMiddleOfAKneelLeavesTheRobotLimp) {
   for (int after = 5; after < 65; after += 15) {
     Scene scene;
     scene.runUntilDriven();
-    hil::Fault flat;  // kneels
+    hil::InjectedFault flat;  // kneels
     flat.kind = FaultKind::kVoltage;
     flat.amount = 9.5;
     flat.at = scene.line.now();
@@ -225,7 +225,7 @@ TEST(CorrelatedFaults, ResetInTheMiddleOfAKneelLeavesTheRobotLimp) {
     ASSERT_EQ(scene.state(), State::kKneeling);
     scene.run(after);
     const bool was_up = scene.pulling() > 0;
-    hil::Fault reset;
+    hil::InjectedFault reset;
     reset.at = scene.line.now();
     scene.add(reset);
     scene.run(400);
@@ -241,7 +241,7 @@ TEST(CorrelatedFaults, ASupplyThatGivesWayUnderTorqueNeverMakesAJointJump) {
   for (const double sag_v : {10.0, 30.0, 60.0, 100.0}) {
     Scene scene;
     scene.runUntilDriven();
-    hil::Fault sag;
+    hil::InjectedFault sag;
     sag.kind = FaultKind::kSag;
     sag.amount = sag_v;
     sag.at = scene.line.now();

@@ -10,17 +10,17 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 
 TEST(DaemonWarnings, SayNothingWhenNothingIsAskedFor) {
-  EXPECT_EQ(daemonWarnings(Request{}, 16ms), "");
+  EXPECT_EQ(daemonWarnings(ConnectRequest{}, 16ms), "");
 }
 
 TEST(DaemonWarnings, NameTheRightWayToRecord) {
-  Request request;
+  ConnectRequest request;
   request.record_path = "/tmp/walk.csv";
   EXPECT_THAT(daemonWarnings(request, 16ms), HasSubstr("darwinop runtime --record FILE"));
 }
 
 TEST(DaemonWarnings, NameBothPeriods) {
-  Request request;
+  ConnectRequest request;
   request.period = 8ms;
   const std::string logged = daemonWarnings(request, 16ms);
   EXPECT_THAT(logged, testing::AllOf(HasSubstr(" 16 ms"), HasSubstr(" 8 ms")));
@@ -41,8 +41,8 @@ TEST(AsksForSafety, IsTrueForNumbersRangesChoicesAndNamedDefaults) {
 }
 
 TEST(TcpWarnings, NameWhatTheRobotDecides) {
-  EXPECT_EQ(tcpWarnings(Request{}, 16ms), "");
-  Request request;
+  EXPECT_EQ(tcpWarnings(ConnectRequest{}, 16ms), "");
+  ConnectRequest request;
   request.record_path = "/tmp/walk.csv";
   request.period = 8ms;
   const std::string logged = tcpWarnings(request, 16ms);

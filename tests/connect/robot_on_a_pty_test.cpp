@@ -33,7 +33,7 @@ struct RobotOnAPty : ::testing::Test {
   std::atomic<bool> never{false};
 
   void write(const std::string& text) { std::ofstream{folder / "robot.ini"} << text; }
-  std::unique_ptr<runtime::RobotLink> connectTo(const std::string& setting, Request request = {}) {
+  std::unique_ptr<runtime::RobotLink> connectTo(const std::string& setting, ConnectRequest request = {}) {
     request.setting = setting;
     return connect(request);
   }
@@ -54,14 +54,14 @@ TEST_F(RobotOnAPty, PeriodAndOffsetsAreThoseOfTheFile) {
 
 TEST_F(RobotOnAPty, AControllersPeriodComesBeforeTheFiles) {
   write("[Robot]\nperiod_ms = 20\n");
-  Request request;
+  ConnectRequest request;
   request.period = 10ms;
   EXPECT_EQ(connectTo(host.path(), request)->period(), 10ms);
 }
 
 TEST_F(RobotOnAPty, LimitsWithNothingInCommonEndTheProgramBeforeThePortIsOpened) {
   write("[Limits]\nNeck = -1, -0.5\n");
-  Request request;
+  ConnectRequest request;
   request.safety.set("Limits", "Neck", "0.5, 1");
   request.config_file = "/home/walk/config.ini";
   try {
@@ -85,7 +85,7 @@ TEST_F(RobotOnAPty, APortInUseMayComeYet) {
 
 TEST_F(RobotOnAPty, ABoardThatDoesNotAnswerMayComeYet) {
   host.withRobot([](hil::VirtualRobot& r) {
-    hil::Fault silence;
+    hil::InjectedFault silence;
     silence.kind = hil::FaultKind::kStall;
     silence.at = 0s;
     silence.lasts = 60s;
@@ -150,7 +150,7 @@ TEST(ServoLimits, ThatAreWiderThanTheSettingsAreNotMentioned) {
 TEST(ServoLimits, HoldForAControllerThatAsksForMore) {
   RobotSetUp robot{{"Neck=ccw-limit:2200"}};
   runtime::Environment real_time{"DARWINOP_REALTIME", "if-allowed"};
-  Request request;
+  ConnectRequest request;
   request.setting = robot.host.path();
   const auto link = connect(request);
   const std::atomic<bool> never{false};

@@ -11,23 +11,23 @@ namespace {
 using testing::HasSubstr;
 
 TEST(SettingText, NamesTheKindOfRobot) {
-  EXPECT_EQ(readSetting("runtime").kind, Kind::kDaemon);
-  EXPECT_EQ(readSetting("virtual").kind, Kind::kVirtual);
-  EXPECT_EQ(readSetting("/dev/ttyUSB0").kind, Kind::kSerial);
-  EXPECT_EQ(readSetting("twin").kind, Kind::kTwin);
+  EXPECT_EQ(readSetting("runtime").kind, RobotKind::kDaemon);
+  EXPECT_EQ(readSetting("virtual").kind, RobotKind::kVirtual);
+  EXPECT_EQ(readSetting("/dev/ttyUSB0").kind, RobotKind::kSerial);
+  EXPECT_EQ(readSetting("twin").kind, RobotKind::kTwin);
 }
 
 TEST(SettingText, ATwinMayHaveAModelByNameOrByFile) {
   EXPECT_EQ(readSetting("twin").model, "");
   EXPECT_EQ(readSetting("twin:webots-2013").model, "webots-2013");
   const Setting by_file = readSetting("twin:models/my.ini");
-  EXPECT_EQ(by_file.kind, Kind::kTwin) << "a slash makes no serial port of it";
+  EXPECT_EQ(by_file.kind, RobotKind::kTwin) << "a slash makes no serial port of it";
   EXPECT_EQ(by_file.model, "models/my.ini");
 }
 
 TEST(SettingText, ARobotOverTcpHasAHostAndPerhapsAPort) {
   const Setting usual = readSetting("tcp://robot.local");
-  EXPECT_EQ(usual.kind, Kind::kTcp);
+  EXPECT_EQ(usual.kind, RobotKind::kTcp);
   EXPECT_EQ(usual.server.host, "robot.local");
   EXPECT_EQ(usual.server.port, 5023);
   EXPECT_EQ(readSetting("tcp://192.168.123.1:4000").server.port, 4000);

@@ -9,7 +9,7 @@ namespace darwinop::connect {
 namespace {
 
 TEST(TwinOnTheRobot, IsRefusedWithASentence) {
-  Request request;
+  ConnectRequest request;
   request.setting = "twin";
   try {
     connect(request);

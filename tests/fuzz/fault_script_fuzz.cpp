@@ -10,7 +10,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace darwinop::hil;
   try {
-    const std::vector<Fault> faults = parseFaultScript({reinterpret_cast<const char*>(data), size}, "fuzz");
+    const std::vector<InjectedFault> faults = parseFaultScript({reinterpret_cast<const char*>(data), size}, "fuzz");
     BoardOptions options;
     options.body_step = std::chrono::milliseconds{100};
     VirtualRobot robot{options};

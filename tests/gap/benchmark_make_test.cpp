@@ -118,7 +118,7 @@ TEST(SyntheticCase, WithoutEffectClosesToTheFloor) {
 // that.
 TEST(SyntheticCase, IsIntegratedInAnotherWayWithTheSameResult) {
   for (const Baseline baseline : {Baseline::kFriction, Baseline::kSpeed}) {
-    Plan plan = drawnPlan("c001", baseline, 4);
+    CasePlan plan = drawnPlan("c001", baseline, 4);
     plan.given.quantised = false;
     const Truth truth{.bench = baselineOf(plan.given), .outside = {}};
     for (const std::size_t i : {0u, 1u, 4u, 5u}) {  // slow, steps, bang, release
@@ -132,7 +132,7 @@ TEST(SyntheticCase, IsIntegratedInAnotherWayWithTheSameResult) {
   }
 }
 
-double furthestFolded(const Plan& plan, const Hypothesis& bench, double (*of)(const Trace&, const Trace&)) {
+double furthestFolded(const CasePlan& plan, const Hypothesis& bench, double (*of)(const Trace&, const Trace&)) {
   double worst = 0;
   for (const std::size_t i : {0u, 1u, 4u, 5u, 8u}) {  // slow, steps, bang, release, moves
     Trace folded, every;
@@ -145,7 +145,7 @@ double furthestFolded(const Plan& plan, const Hypothesis& bench, double (*of)(co
 
 // A firmware of 0.1 ms is folded into periods of 0.5 ms: a fifth of the work, and a small part of an encoder's step.
 TEST(SyntheticCase, OfAFineFirmwareIsSimulatedInCoarserPeriods) {
-  const Plan plan = drawnPlan("c001", Baseline::kFine, 4);
+  const CasePlan plan = drawnPlan("c001", Baseline::kFine, 4);
   ASSERT_FALSE(plan.given.quantised);
   const auto position = [](const Trace& a, const Trace& b) { return rmsOff(a[kPositionSignal], b[kPositionSignal]); };
   const auto load = [](const Trace& a, const Trace& b) { return rmsOff(a[kLoadSignal], b[kLoadSignal]); };

@@ -30,8 +30,8 @@ Key keyWith(CaseClass kind, std::vector<KeyEffect> effects, bool exact = true) {
   return key;
 }
 
-Answer answerWith(const std::string& verdict, std::vector<AnswerEffect> effects = {}) {
-  Answer answer;
+CaseAnswer answerWith(const std::string& verdict, std::vector<AnswerEffect> effects = {}) {
+  CaseAnswer answer;
   answer.verdict = verdict;
   answer.effects = std::move(effects);
   answer.before_rad = 0.02;
@@ -319,7 +319,7 @@ TEST(ExampleKey, GivesTheFullScoreToItsOwnAnswers) {
   constexpr std::array<const char*, 4> kVerdicts{"named", "none", "named", "unknown"};
   Answers answers;
   for (const auto& [name, key] : keys) {
-    Answer answer = answerWith(kVerdicts[static_cast<std::size_t>(key.kind)]);
+    CaseAnswer answer = answerWith(kVerdicts[static_cast<std::size_t>(key.kind)]);
     answer.after_rad = key.noise_held_out_rad;
     for (const KeyEffect& effect : key.effects) {
       if (key.kind == CaseClass::kOutside) break;

@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EachEffect, testing::ValuesIn(catalogueIds()
                          [](const auto& tested) { return tested.param; });
 
 TEST(Severity, IsTheGapThatItMeans) {
-  const Plan plan = drawnPlan("c001", Baseline::kFriction, 21);
+  const CasePlan plan = drawnPlan("c001", Baseline::kFriction, 21);
   const Hypothesis bench = baselineOf(plan.given);
   for (const int severity : {1, 2, 3}) {
     Rng rng{33};
@@ -66,7 +66,7 @@ TEST(Severity, IsTheGapThatItMeans) {
 }
 
 TEST(Severity, IsWhatTheRangeAllowsWhereThatIsLess) {
-  const Plan plan = drawnPlan("c001", Baseline::kFriction, 21);
+  const CasePlan plan = drawnPlan("c001", Baseline::kFriction, 21);
   Rng rng{1};
   const twin::EffectInfo& info = *twin::findEffect("resistance_error");
   const Strength found = strengthOf(plan.given, baselineOf(plan.given), info, 3, rng);
@@ -77,7 +77,7 @@ TEST(Severity, IsWhatTheRangeAllowsWhereThatIsLess) {
 
 // A payload that is known to 2 % and is 1 % heavier makes no finding: `none` would be the right answer.
 TEST(Severity, IsMoreThanThePriorOfTheNumberThatTheEffectMeans) {
-  Plan plan = drawnPlan("c001", Baseline::kFriction, 21);
+  CasePlan plan = drawnPlan("c001", Baseline::kFriction, 21);
   plan.given.priors = {{.number = "payload", .relative_sigma = 0.02}, {.number = "length", .relative_sigma = 0.02}};
   const twin::EffectInfo& heavier = *twin::findEffect("com_mass");
   const Case known = plan.given;
@@ -100,14 +100,14 @@ TEST(Severity, IsMoreThanThePriorOfTheNumberThatTheEffectMeans) {
 }
 
 TEST(Severity, IsNoneWhereThePriorAllowsAllOfTheRange) {
-  Plan plan = drawnPlan("c001", Baseline::kFriction, 21);
+  CasePlan plan = drawnPlan("c001", Baseline::kFriction, 21);
   plan.given.priors = {{.number = "kt", .relative_sigma = 0.15}};
   Rng rng{1};
   EXPECT_EQ(strengthOf(plan.given, baselineOf(plan.given), *twin::findEffect("kt_error"), 1, rng).severity, 0);
 }
 
 TEST(Severity, OfAnEffectThatTheLawDoesNotHaveIsNone) {
-  const Plan plan = drawnPlan("c001", Baseline::kSpeed, 21);
+  const CasePlan plan = drawnPlan("c001", Baseline::kSpeed, 21);
   Rng rng{1};
   EXPECT_EQ(strengthOf(plan.given, baselineOf(plan.given), *twin::findEffect("supply_sag"), 2, rng).severity, 0);
   EXPECT_EQ(severityOfGap(0.003), 1);

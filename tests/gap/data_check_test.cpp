@@ -18,7 +18,7 @@ using testing::HasSubstr;
 /// True: the case satisfies a rule.
 bool reveals(const Case& c, std::string_view id) {
   const DataCheck check = checkData(c);
-  const auto found = std::ranges::find(check.findings, id, &Finding::id);
+  const auto found = std::ranges::find(check.findings, id, &DataFinding::id);
   if (found == check.findings.end()) throw std::logic_error("no finding " + std::string{id});
   return found->reveals;
 }
@@ -162,7 +162,7 @@ TEST(DataCheck, HeldOutLogsThatLoadTheServoMore) {
 TEST(DataCheck, NamesEffectsOfTheCatalogueOnly) {
   Case c = CaseTexts{}.read();
   c.logs.resize(1);
-  for (const Finding& finding : checkData(c).findings)
+  for (const DataFinding& finding : checkData(c).findings)
     for (const std::string_view effect : finding.effects) EXPECT_NE(twin::findEffect(effect), nullptr) << effect;
 }
 
@@ -171,7 +171,7 @@ TEST(DataCheck, AsText) {
   const std::string text = asText(check);
   EXPECT_THAT(text, HasSubstr("fit_1.csv         3.2    0.0"));
   EXPECT_THAT(text, HasSubstr(messages::kCannotReveal));
-  const auto found = std::ranges::find(check.findings, "repeats", &Finding::id);
+  const auto found = std::ranges::find(check.findings, "repeats", &DataFinding::id);
   ASSERT_NE(found, check.findings.end());
   EXPECT_THAT(text, HasSubstr("  " + found->sentence + "\n    -> " + std::string{found->remedy} + "\n"));
 }

@@ -31,7 +31,7 @@ std::vector<fs::path> exampleCases() {
 
 std::vector<std::string_view> hidden(const DataCheck& check) {
   std::vector<std::string_view> ids;
-  for (const Finding& finding : check.findings)
+  for (const DataFinding& finding : check.findings)
     if (!finding.reveals) ids.push_back(finding.id);
   return ids;
 }

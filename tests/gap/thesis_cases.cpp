@@ -54,7 +54,7 @@ void add(Log wanted, Case& c) {
 
 /// The logs of the robot.
 Case measured(const Case& model, const Hypothesis& robot, std::uint64_t seed) {
-  Plan plan = planLike(model, model.name);
+  CasePlan plan = planLike(model, model.name);
   for (std::size_t i = 0; i < plan.given.logs.size(); ++i) {
     Disturbance disturbance;
     disturbance.seed = seed * 100 + i;

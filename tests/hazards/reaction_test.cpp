@@ -33,7 +33,7 @@ class Reaction : public ::testing::Test {
 };
 
 TEST_F(Reaction, ModeSwitchesAllTorqueOff) {
-  hil::Fault press;
+  hil::InjectedFault press;
   press.kind = FaultKind::kButton;
   press.at = rig.line.now();
   press.bits = 1;
@@ -75,7 +75,7 @@ TEST_F(Reaction, AnOverheatedServoMakesItKneel) {
 }
 
 TEST_F(Reaction, AnOverloadShutdownMakesItKneel) {
-  hil::Fault trip;
+  hil::InjectedFault trip;
   trip.kind = FaultKind::kErrors;
   trip.at = rig.line.now();
   trip.joints.set(index(Joint::kLegLowerR));
@@ -86,7 +86,7 @@ TEST_F(Reaction, AnOverloadShutdownMakesItKneel) {
 }
 
 TEST_F(Reaction, ASilentServoIsReported) {
-  hil::Fault unplugged;
+  hil::InjectedFault unplugged;
   unplugged.kind = FaultKind::kDead;
   unplugged.at = rig.line.now();
   unplugged.joints.set(index(Joint::kHead));
@@ -144,7 +144,7 @@ TEST_F(Reaction, AFarGoalMovesByOneStepACycle) {
 }
 
 TEST_F(Reaction, AServoThatRestartsIsTakenOverWhereItIs) {
-  hil::Fault dropout;
+  hil::InjectedFault dropout;
   dropout.kind = FaultKind::kDead;
   dropout.at = rig.line.now();
   dropout.lasts = Nanos{30'000'000};

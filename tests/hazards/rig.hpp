@@ -48,7 +48,7 @@ struct HazardRig {
     run(60);  // past the gentle phase
   }
   void fault(hil::FaultKind kind, double amount = 0) {
-    hil::Fault fault;
+    hil::InjectedFault fault;
     fault.kind = kind;
     fault.at = line.now();
     fault.amount = amount;

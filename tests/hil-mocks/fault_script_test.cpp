@@ -10,8 +10,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-Fault one(const std::string& line) {
-  const std::vector<Fault> faults = parseFaultScript(line, "f");
+InjectedFault one(const std::string& line) {
+  const std::vector<InjectedFault> faults = parseFaultScript(line, "f");
   EXPECT_EQ(faults.size(), 1u) << line;
   return faults.at(0);
 }
@@ -26,13 +26,13 @@ std::string errorOf(const std::string& text) {
 }
 
 TEST(FaultScript, DeadServoByNameByIdAndSeveral) {
-  const Fault named = one("2.0 dead Neck for 1.5");
+  const InjectedFault named = one("2.0 dead Neck for 1.5");
   EXPECT_EQ(named.kind, FaultKind::kDead);
   EXPECT_EQ(named.at, 2s);
   EXPECT_EQ(named.lasts, 1500ms);
   EXPECT_EQ(named.joints.to_ulong(), 1ul << 18);
   EXPECT_EQ(one("0 dead 19").joints, named.joints);
-  EXPECT_EQ(one("0 dead 19").lasts, Fault::kForEver);
+  EXPECT_EQ(one("0 dead 19").lasts, InjectedFault::kForEver);
   EXPECT_EQ(one("0 dead Neck+20+ShoulderR").joints.count(), 3u);
   EXPECT_TRUE(one("0 dead all").joints.all());
 }
@@ -64,7 +64,7 @@ TEST(FaultScript, EveryKindHasItsArguments) {
 TEST(FaultScript, AWireFaultAffectsOneFrameUnlessChanceOrTimeIsGiven) {
   EXPECT_EQ(one("1 drop 3").lasts, 0s);
   EXPECT_EQ(one("1 drop 3").way, Way::kReplies);
-  EXPECT_EQ(one("1 drop 3 chance 0.5").lasts, Fault::kForEver);
+  EXPECT_EQ(one("1 drop 3 chance 0.5").lasts, InjectedFault::kForEver);
   EXPECT_EQ(one("1 garbage 20 chance 0.01 for 4").lasts, 4s);
   EXPECT_EQ(one("1 corrupt 1 for 4").chance, 1);
 }

@@ -8,8 +8,8 @@
 namespace darwinop::hil {
 namespace {
 
-Fault faultOf(FaultKind kind, Nanos at, Nanos lasts) {
-  Fault fault;
+InjectedFault faultOf(FaultKind kind, Nanos at, Nanos lasts) {
+  InjectedFault fault;
   fault.kind = kind;
   fault.at = at;
   fault.lasts = lasts;
@@ -35,7 +35,7 @@ constexpr const char* kNeckPing = "FF FF 13 02 01 E9";
 
 TEST(Faults, DeadServoIsSilentForItsTime) {
   Robot robot;
-  Fault dead = faultOf(FaultKind::kDead, 100ms, 50ms);
+  InjectedFault dead = faultOf(FaultKind::kDead, 100ms, 50ms);
   dead.joints.set(index(Joint::kNeck));
   robot.faults().add(dead);
   EXPECT_NE(robot.send(kNeckPing), "");
@@ -48,7 +48,7 @@ TEST(Faults, DeadServoIsSilentForItsTime) {
 
 TEST(Faults, OfAScriptStartInOrderOfTime) {
   Robot robot;
-  std::vector<Fault> faults;
+  std::vector<InjectedFault> faults;
   for (const Nanos at : {30ms, 10ms, 20ms, 10ms, 40ms}) faults.push_back(faultOf(FaultKind::kReset, at, 0ms));
   robot.faults().add(faultOf(FaultKind::kReset, 15ms, 0ms));
   robot.faults().add(faults);
@@ -61,7 +61,7 @@ TEST(Faults, OfAScriptStartInOrderOfTime) {
 // Guards against insertion in quadratic time, which took minutes.
 TEST(Faults, AScriptMayHaveAHundredThousand) {
   Robot robot;
-  std::vector<Fault> faults;
+  std::vector<InjectedFault> faults;
   for (int i = 0; i < 100'000; ++i) faults.push_back(faultOf(FaultKind::kReset, 1s + Nanos{i}, 0ms));
   for (int times = 0; times < 4; ++times) robot.faults().add(faults);
   robot.advance(900ms);
@@ -70,7 +70,7 @@ TEST(Faults, AScriptMayHaveAHundredThousand) {
 
 TEST(Faults, AServoBootsAfterASupplyLoss) {
   Robot robot;
-  Fault dead = faultOf(FaultKind::kDead, 10ms, 30ms);
+  InjectedFault dead = faultOf(FaultKind::kDead, 10ms, 30ms);
   dead.joints.set(index(Joint::kNeck));
   dead.boot = 100ms;
   robot.faults().add(dead);
@@ -83,7 +83,7 @@ TEST(Faults, AServoBootsAfterASupplyLoss) {
 TEST(Faults, ABlockedJointShutsItsServoDownRepeatedly) {
   Robot robot;
   const auto neck = [&] { return robot.board().servo(Joint::kNeck).state(); };
-  Fault jam = faultOf(FaultKind::kJam, 0ms, Fault::kForEver);
+  InjectedFault jam = faultOf(FaultKind::kJam, 0ms, InjectedFault::kForEver);
   jam.joints.set(index(Joint::kNeck));
   jam.amount = 0.5;
   robot.faults().add(jam);
@@ -102,7 +102,7 @@ TEST(Faults, ABlockedJointShutsItsServoDownRepeatedly) {
 TEST(Faults, MissedBulkReadsGetNoReply) {
   Robot robot;
   const std::string read = withChecksum("FF FF FE 06 92 00 01 C8 03");
-  Fault miss = faultOf(FaultKind::kMiss, 0ms, 0ms);
+  InjectedFault miss = faultOf(FaultKind::kMiss, 0ms, 0ms);
   miss.amount = 2;
   robot.faults().add(miss);
   robot.advance(1ms);
@@ -113,7 +113,7 @@ TEST(Faults, MissedBulkReadsGetNoReply) {
 
 TEST(Faults, ABabblingServoSendsUnsolicitedBytes) {
   Robot robot;
-  Fault babble = faultOf(FaultKind::kBabble, 10ms, 100ms);
+  InjectedFault babble = faultOf(FaultKind::kBabble, 10ms, 100ms);
   babble.amount = 8;
   robot.faults().add(babble);
   robot.advance(100ms);
@@ -124,7 +124,7 @@ TEST(Faults, TwoDevicesWithOneIdGarbleTheirAnswer) {
   Robot robot;
   const std::string read = withChecksum("FF FF FE 06 92 00 02 13 24");
   const std::string alone = robot.send(read);
-  Fault twins = faultOf(FaultKind::kTwins, 10ms, Fault::kForEver);
+  InjectedFault twins = faultOf(FaultKind::kTwins, 10ms, InjectedFault::kForEver);
   twins.joints.set(index(Joint::kNeck));
   robot.faults().add(twins);
   robot.advance(20ms);
@@ -134,7 +134,7 @@ TEST(Faults, TwoDevicesWithOneIdGarbleTheirAnswer) {
 TEST(Faults, OverlappingFaultsEndWithTheLaterOne) {
   Robot robot;
   for (const Nanos at : {10ms, 20ms}) {
-    Fault dead = faultOf(FaultKind::kDead, at, 50ms);
+    InjectedFault dead = faultOf(FaultKind::kDead, at, 50ms);
     dead.joints.set(index(Joint::kNeck));
     robot.faults().add(dead);
   }
@@ -146,7 +146,7 @@ TEST(Faults, OverlappingFaultsEndWithTheLaterOne) {
 
 TEST(Faults, TemperatureRampsAndReturns) {
   Robot robot;
-  Fault heat = faultOf(FaultKind::kHeat, 0ms, 3s);
+  InjectedFault heat = faultOf(FaultKind::kHeat, 0ms, 3s);
   heat.joints.set(index(Joint::kNeck));
   heat.amount = 70;
   heat.over = 2s;
@@ -161,7 +161,7 @@ TEST(Faults, TemperatureRampsAndReturns) {
 
 TEST(Faults, LowVoltageShowsOnBoardAndServos) {
   Robot robot;
-  Fault low = faultOf(FaultKind::kVoltage, 0ms, 1s);
+  InjectedFault low = faultOf(FaultKind::kVoltage, 0ms, 1s);
   low.amount = 9.9;
   robot.faults().add(low);
   EXPECT_EQ(robot.readServo("C8", "32"), withChecksum("FF FF C8 03 00 63"));
@@ -170,14 +170,14 @@ TEST(Faults, LowVoltageShowsOnBoardAndServos) {
 
 TEST(Faults, ButtonsErrorsAndFallShow) {
   Robot robot;
-  Fault button = faultOf(FaultKind::kButton, 0ms, 1s);
+  InjectedFault button = faultOf(FaultKind::kButton, 0ms, 1s);
   button.bits = 1;
   robot.faults().add(button);
-  Fault errors = faultOf(FaultKind::kErrors, 0ms, 1s);
+  InjectedFault errors = faultOf(FaultKind::kErrors, 0ms, 1s);
   errors.joints.set(index(Joint::kNeck));
   errors.bits = error_bit::kOverload;
   robot.faults().add(errors);
-  Fault fallen = faultOf(FaultKind::kFallen, 0ms, 1s);
+  InjectedFault fallen = faultOf(FaultKind::kFallen, 0ms, 1s);
   fallen.fall = Fall::kFront;
   robot.faults().add(fallen);
   EXPECT_EQ(robot.readServo("C8", "1E"), withChecksum("FF FF C8 03 00 01"));
@@ -209,7 +209,7 @@ TEST(Faults, StalledBoardAnswersLater) {
 
 TEST(Faults, ClearEndsAllOfThem) {
   Robot robot;
-  Fault dead = faultOf(FaultKind::kDead, 0ms, Fault::kForEver);
+  InjectedFault dead = faultOf(FaultKind::kDead, 0ms, InjectedFault::kForEver);
   dead.joints.set();
   robot.faults().add(dead);
   robot.faults().add(faultOf(FaultKind::kStall, 0ms, 10s));
@@ -224,7 +224,7 @@ TEST(Faults, ClearEndsAllOfThem) {
 
 TEST(WireFaults, OneShotAffectsOneFrameOnly) {
   Robot robot;
-  Fault drop = faultOf(FaultKind::kDrop, 0ms, 0ms);
+  InjectedFault drop = faultOf(FaultKind::kDrop, 0ms, 0ms);
   drop.amount = 1;
   robot.faults().add(drop);
   EXPECT_EQ(robot.send(kNeckPing).size(), 5u * 3 - 1);
@@ -233,7 +233,7 @@ TEST(WireFaults, OneShotAffectsOneFrameOnly) {
 
 TEST(WireFaults, RequestsCanBeCorrupted) {
   Robot robot;
-  Fault corrupt = faultOf(FaultKind::kRepeatFrame, 0ms, 1s);
+  InjectedFault corrupt = faultOf(FaultKind::kRepeatFrame, 0ms, 1s);
   corrupt.way = Way::kRequests;
   robot.faults().add(corrupt);
   robot.advance(1ms);
@@ -242,7 +242,7 @@ TEST(WireFaults, RequestsCanBeCorrupted) {
 
 TEST(WireFaults, ADelayedFrameDelaysLaterOnes) {
   Robot robot;
-  Fault delay = faultOf(FaultKind::kDelay, 0ms, 0ms);
+  InjectedFault delay = faultOf(FaultKind::kDelay, 0ms, 0ms);
   delay.amount = 3;
   robot.faults().add(delay);
   robot.advance(1ms);
@@ -257,7 +257,7 @@ TEST(WireFaults, ADelayedFrameDelaysLaterOnes) {
 
 TEST(WireFaults, ChanceMatchesItsRate) {
   Robot robot;
-  Fault corrupt = faultOf(FaultKind::kCorrupt, 0ms, Fault::kForEver);
+  InjectedFault corrupt = faultOf(FaultKind::kCorrupt, 0ms, InjectedFault::kForEver);
   corrupt.amount = 1;
   corrupt.chance = 0.25;
   robot.faults().add(corrupt);
@@ -271,7 +271,7 @@ TEST(WireFaults, EachKindChangesTheFrameAsNamed) {
   const auto frame = bytesOf("FF FF 13 02 00 EA");
   Rng random{5};
   const auto spoiled_by = [&](FaultKind kind, double amount) {
-    Fault fault = faultOf(kind, 0ms, 0ms);
+    InjectedFault fault = faultOf(kind, 0ms, 0ms);
     fault.amount = amount;
     Chunk chunk{frame, 1ms};
     spoil(chunk, fault, random);
@@ -289,7 +289,7 @@ TEST(WireFaults, EachKindChangesTheFrameAsNamed) {
 
 TEST(RandomFaults, OccurAtTheGivenRateAndOfTheGivenKinds) {
   Robot robot;
-  Fault random = faultOf(FaultKind::kRandom, 0ms, 100s);
+  InjectedFault random = faultOf(FaultKind::kRandom, 0ms, 100s);
   random.amount = 5;
   random.kinds.reset();
   random.kinds.set(static_cast<std::size_t>(FaultKind::kHeat));

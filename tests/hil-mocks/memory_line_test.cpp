@@ -82,7 +82,7 @@ TEST(MemoryLine, DiscardDropsReceivedBytesOnly) {
 
 TEST(MemoryLine, ReconnectsAfterUnplugging) {
   Session s;
-  Fault unplug;
+  InjectedFault unplug;
   unplug.kind = FaultKind::kUnplug;
   unplug.at = 1ms;
   unplug.lasts = 5ms;
@@ -125,7 +125,7 @@ TEST(MemoryLine, ObserverAndCountersCoverBothDirections) {
 
 std::string record(std::uint64_t seed) {
   Session s{seed};
-  Fault random;
+  InjectedFault random;
   random.kind = FaultKind::kRandom;
   random.amount = 20;
   s.robot.faults().add(random);

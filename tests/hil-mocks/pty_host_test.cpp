@@ -154,7 +154,7 @@ TEST(PtyHost, UnplugHangsUpTheClientAndTheLinkPointsToTheNewPort) {
   PtyHost host{robot, {link}};
   Client client{link};
   EXPECT_EQ(client.ask(kPing, 6), kPong);
-  Fault unplug;
+  InjectedFault unplug;
   unplug.kind = FaultKind::kUnplug;
   unplug.lasts = 100ms;
   host.withRobot([&](VirtualRobot& r) {

@@ -69,7 +69,7 @@ TEST_F(ServoOnABody, UsesTheBoardsSettingsWithoutValuesOfTheBody) {
 
 TEST_F(ServoOnABody, AHeatFaultOverridesTheBodyForAsLongAsItLasts) {
   body->neck().temperature_c = 41;
-  Fault heat;
+  InjectedFault heat;
   heat.kind = FaultKind::kHeat;
   heat.joints.set(index(Joint::kNeck));
   heat.amount = 70;
@@ -82,7 +82,7 @@ TEST_F(ServoOnABody, AHeatFaultOverridesTheBodyForAsLongAsItLasts) {
 }
 
 TEST_F(ServoOnABody, AVoltageFaultSuppliesTheBody) {
-  Fault low;
+  InjectedFault low;
   low.kind = FaultKind::kVoltage;
   low.amount = 9.5;
   robot->faults().add(low);

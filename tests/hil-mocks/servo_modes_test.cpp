@@ -55,7 +55,7 @@ TEST(ServoOptionsText, SetsEachRegister) {
   for (const char* text : {"Neck=model:12", "Neck=firmware:24", "Neck=id:3", "Neck=return-delay:250",
                            "Neck=status-level:0", "Neck=cw-limit:1000", "Neck=ccw-limit:3000", "Neck=max-torque:0"})
     setServo(options, text);
-  const Device& neck = VirtualServo{Joint::kNeck, options.servo[index(Joint::kNeck)]};
+  const BusDevice& neck = VirtualServo{Joint::kNeck, options.servo[index(Joint::kNeck)]};
   EXPECT_EQ(neck.table().word(0), 12);
   EXPECT_EQ(neck.table().byte(2), 24);
   EXPECT_EQ(neck.id(), 3);

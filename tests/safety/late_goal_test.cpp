@@ -34,7 +34,7 @@ struct StalledBoard {
   /// The board hangs from before the next write on; meanwhile the knee's servo restarts.
   void stall(int cycles) {
     body.arm();
-    hil::Fault fault;
+    hil::InjectedFault fault;
     fault.kind = hil::FaultKind::kStall;
     fault.at = rig.memory.now();
     fault.lasts = cycles * WireRig::kPeriod;

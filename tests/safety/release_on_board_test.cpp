@@ -69,7 +69,7 @@ struct Loop {
   void press(std::uint8_t button, Nanos time) { fault(hil::FaultKind::kButton, time, button); }
   void reset() { fault(hil::FaultKind::kReset, 0ms); }
   void fault(hil::FaultKind kind, Nanos lasts, std::uint8_t bits = 0) {
-    hil::Fault fault;
+    hil::InjectedFault fault;
     fault.kind = kind;
     fault.at = line.now();
     fault.lasts = lasts;

@@ -59,7 +59,7 @@ struct WireRig {
   }
   /// Supply of some servos is gone from `at` on, for so long.
   void cutSupply(const std::bitset<kJoints>& joints, Nanos at, Nanos lasts) {
-    hil::Fault fault;
+    hil::InjectedFault fault;
     fault.kind = hil::FaultKind::kDead;
     fault.at = at;
     fault.lasts = lasts;

@@ -25,7 +25,7 @@ constexpr std::size_t kNeck = index(Joint::kNeck);
 class Driven {
  public:
   explicit Driven(const std::string& setting, const std::string& record_path = "") {
-    connect::Request request;
+    connect::ConnectRequest request;
     request.setting = setting;
     request.record_path = record_path;
     request.safety.on_exit = safety::OnExit::kLimp;  // the fastest end of session

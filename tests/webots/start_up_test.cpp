@@ -21,11 +21,11 @@
 
 namespace {
 darwinop::webots_api::FakeRobot* robot_to_meet = nullptr;
-darwinop::connect::Request request_seen;
+darwinop::connect::ConnectRequest request_seen;
 }  // namespace
 
 namespace darwinop::connect {
-std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
+std::unique_ptr<runtime::RobotLink> connect(const ConnectRequest& request) {
   request_seen = request;
   if (!robot_to_meet) throw std::runtime_error("no robot at " + request.setting + ": switch it on");
   return std::make_unique<webots_api::FakeLink>(*robot_to_meet);

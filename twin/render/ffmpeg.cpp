@@ -33,7 +33,7 @@ Ffmpeg::~Ffmpeg() {
   end();
 }
 
-void Ffmpeg::add(const Picture& picture) {
+void Ffmpeg::add(const RenderedPicture& picture) {
   const std::uint8_t* next = picture.rgb.data();
   for (std::size_t left = picture.rgb.size(); left > 0;) {
     const ssize_t written = ::write(process_.stream(STDIN_FILENO), next, left);

@@ -17,7 +17,7 @@ class Ffmpeg final : public Film {
   Ffmpeg(const Ffmpeg&) = delete;
   Ffmpeg& operator=(const Ffmpeg&) = delete;
 
-  void add(const Picture& picture) override;
+  void add(const RenderedPicture& picture) override;
   void finish() override;
   [[nodiscard]] std::string place() const override { return file_; }
 

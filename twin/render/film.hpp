@@ -12,7 +12,7 @@ class Film {
  public:
   virtual ~Film() = default;
   /// Throws std::runtime_error on a write error.
-  virtual void add(const Picture& picture) = 0;
+  virtual void add(const RenderedPicture& picture) = 0;
   /// After the last picture. Throws std::runtime_error if the film is incomplete.
   virtual void finish() = 0;
   /// Output path for messages, e.g. "film.mp4".

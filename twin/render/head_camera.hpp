@@ -36,7 +36,7 @@ class HeadCamera final : public BodyCamera {
   [[nodiscard]] CameraHealth health() const override { return {.seeing = render_error_.empty(), .frames = pictures_}; }
 
   /// The picture that newest() returned, as RGB.
-  [[nodiscard]] const Picture& picture() const noexcept { return picture_; }
+  [[nodiscard]] const RenderedPicture& picture() const noexcept { return picture_; }
   [[nodiscard]] const char* renderError() const noexcept override {
     return render_error_.empty() ? nullptr : render_error_.c_str();
   }
@@ -50,7 +50,7 @@ class HeadCamera final : public BodyCamera {
   MjModelPtr model_;                      // copy of the body's model, until OpenGL is initialized
   std::unique_ptr<Offscreen> offscreen_;  // null: not initialized yet, or OpenGL is not available
   std::string render_error_;
-  Picture picture_;
+  RenderedPicture picture_;
   std::vector<std::uint8_t> bgra_;
   Pose pose_;
   bool looked_ = false;  // pose_ is not rendered yet

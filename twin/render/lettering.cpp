@@ -38,13 +38,13 @@ constexpr std::array<std::array<std::uint8_t, kColumns>, kLast - kFirst + 1> kDo
     {0x40, 0x40, 0x40, 0x40, 0x40},
 }};
 
-void dot(Picture& picture, int left, int top, int size, bool black) {
+void dot(RenderedPicture& picture, int left, int top, int size, bool black) {
   for (int y = std::max(top, 0); y < std::min(top + size, picture.height); ++y)
     for (int x = std::max(left, 0); x < std::min(left + size, picture.width); ++x)
       std::fill_n(picture.at(x, y), 3, static_cast<std::uint8_t>(black ? 0 : 255));
 }
 
-void letter(Picture& picture, int left, int top, int size, char c) {
+void letter(RenderedPicture& picture, int left, int top, int size, char c) {
   const int code = std::toupper(static_cast<unsigned char>(c));
   const auto& columns =
       kDots.at(static_cast<std::size_t>(code >= kFirst && code <= kLast ? code - kFirst : '?' - kFirst));
@@ -57,7 +57,7 @@ void letter(Picture& picture, int left, int top, int size, char c) {
 
 }  // namespace
 
-void write(Picture& picture, int left, int top, int right, int size, std::string_view text) {
+void write(RenderedPicture& picture, int left, int top, int right, int size, std::string_view text) {
   const auto line = static_cast<std::size_t>(std::max((right - left) / (kPitch * size), 1));
   for (int y = top; !text.empty(); y += kRows * size) {
     std::size_t count = text.size();

@@ -21,7 +21,7 @@ Scene prepared(const mjModel& model, int width, int height, Quality quality) {
 }
 
 /// MuJoCo's first row is the bottom one.
-void flipVertically(Picture& picture) {
+void flipVertically(RenderedPicture& picture) {
   for (int top = 0, bottom = picture.height - 1; top < bottom; ++top, --bottom)
     std::swap_ranges(picture.at(0, top), picture.at(0, top + 1), picture.at(0, bottom));
 }
@@ -32,7 +32,7 @@ struct Offscreen::Parts {
   Scene scene;
   EglContext egl;
   mjrContext context{};
-  Picture picture;
+  RenderedPicture picture;
 
   Parts(const mjModel& model, int width, int height, Quality quality)
       : scene{prepared(model, width, height, quality)}, picture{width, height} {
@@ -65,8 +65,8 @@ Scene& Offscreen::scene() noexcept {
   return parts_->scene;
 }
 
-const Picture& Offscreen::draw() {
-  Picture& picture = parts_->picture;
+const RenderedPicture& Offscreen::draw() {
+  RenderedPicture& picture = parts_->picture;
   const mjrRect area{0, 0, picture.width, picture.height};
   parts_->egl.use();
   mjr_render(area, &parts_->scene.forSize(picture.width, picture.height), &parts_->context);

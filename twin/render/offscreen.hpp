@@ -25,7 +25,7 @@ class Offscreen {
 
   [[nodiscard]] Scene& scene() noexcept;
   /// Renders the present scene. The picture is valid until the next call.
-  const Picture& draw();
+  const RenderedPicture& draw();
 
  private:
   struct Parts;

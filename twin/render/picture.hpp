@@ -8,9 +8,9 @@
 namespace darwinop::twin {
 
 /// Three bytes per pixel (red, green, blue), top row first, no padding.
-struct Picture {
-  Picture() = default;
-  Picture(int columns, int rows)
+struct RenderedPicture {
+  RenderedPicture() = default;
+  RenderedPicture(int columns, int rows)
       : width{columns}, height{rows}, rgb(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) * 3) {}
 
   int width = 0, height = 0;

@@ -19,15 +19,15 @@ constexpr unsigned kOpenError = 79;  // lodepng: failed to open the file for wri
 
 }  // namespace
 
-void writePng(const std::string& file, const Picture& picture) {
+void writePng(const std::string& file, const RenderedPicture& picture) {
   errno = 0;
   const unsigned error = lodepng::encode(file, picture.rgb, static_cast<unsigned>(picture.width),
                                          static_cast<unsigned>(picture.height), LCT_RGB);
   if (error != 0) fail("write", file, error);
 }
 
-Picture readPng(const std::string& file) {
-  Picture picture;
+RenderedPicture readPng(const std::string& file) {
+  RenderedPicture picture;
   unsigned width = 0, height = 0;
   const unsigned error = lodepng::decode(picture.rgb, width, height, file, LCT_RGB);
   if (error != 0) fail("read", file, error);

@@ -8,8 +8,8 @@
 namespace darwinop::twin {
 
 /// Throws std::runtime_error on a write error.
-void writePng(const std::string& file, const Picture& picture);
+void writePng(const std::string& file, const RenderedPicture& picture);
 /// Throws std::runtime_error for an unreadable file or one that is not a PNG.
-Picture readPng(const std::string& file);
+RenderedPicture readPng(const std::string& file);
 
 }  // namespace darwinop::twin

@@ -23,7 +23,7 @@ PngFolder::PngFolder(std::string folder) : folder_{std::move(folder)} {
                                entry.path().filename().string() + "); name another one, or empty it first");
 }
 
-void PngFolder::add(const Picture& picture) {
+void PngFolder::add(const RenderedPicture& picture) {
   std::array<char, 32> name{};
   std::snprintf(name.data(), name.size(), "frame_%05d.png", ++count_);
   writePng((fs::path{folder_} / name.data()).string(), picture);

@@ -12,7 +12,7 @@ class PngFolder final : public Film {
   /// Creates the folder. Throws std::runtime_error on failure, or if it contains pictures of an earlier recording.
   explicit PngFolder(std::string folder);
 
-  void add(const Picture& picture) override;
+  void add(const RenderedPicture& picture) override;
   void finish() override {}
   [[nodiscard]] std::string place() const override;
 

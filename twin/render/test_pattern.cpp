@@ -16,8 +16,8 @@ constexpr int kMark = 8;  // pixels per side
 
 }  // namespace
 
-Picture testPattern(int width, int height, std::string_view reason, unsigned count) {
-  Picture picture{width, height};
+RenderedPicture testPattern(int width, int height, std::string_view reason, unsigned count) {
+  RenderedPicture picture{width, height};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       std::ranges::copy(kColours.at(static_cast<std::size_t>(x * kBars / width)), picture.at(x, y));

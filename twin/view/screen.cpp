@@ -14,7 +14,7 @@ namespace darwinop::twin {
 namespace {
 
 /// Shows the newest pose and skips older ones.
-class LiveScreen final : public Screen {
+class LiveScreen final : public ViewOutput {
  public:
   LiveScreen(const ShowOptions& options, const mjModel_& model, WindowKeys keys)
       : seconds_{options.seconds},
@@ -39,11 +39,11 @@ class LiveScreen final : public Screen {
  private:
   double seconds_;
   Pose pose_;
-  Window window_;
+  ViewWindow window_;
 };
 
 /// Draws every pose once.
-class FilmScreen final : public Screen {
+class FilmScreen final : public ViewOutput {
  public:
   FilmScreen(const ShowOptions& options, const mjModel_& model)
       : per_second_{options.per_second}, offscreen_{model, options.width, options.height, Quality::kFilm} {
@@ -87,7 +87,7 @@ class FilmScreen final : public Screen {
 
 }  // namespace
 
-std::unique_ptr<Screen> makeScreen(const ShowOptions& options, const mjModel_& model, WindowKeys keys) {
+std::unique_ptr<ViewOutput> makeScreen(const ShowOptions& options, const mjModel_& model, WindowKeys keys) {
   if (!options.record.empty()) return std::make_unique<FilmScreen>(options, model);
   try {
     return std::make_unique<LiveScreen>(options, model, std::move(keys));

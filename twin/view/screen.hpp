@@ -13,9 +13,9 @@ struct mjModel_;
 
 namespace darwinop::twin {
 
-class Screen {
+class ViewOutput {
  public:
-  virtual ~Screen() = default;
+  virtual ~ViewOutput() = default;
   /// Required pose rate, 1/s.
   [[nodiscard]] virtual int posesPerSecond() const = 0;
   /// Draws at most one new picture; returns quickly. True if something was drawn.
@@ -28,6 +28,6 @@ class Screen {
 };
 
 /// Throws NoDisplay, NoGraphics, std::runtime_error.
-std::unique_ptr<Screen> makeScreen(const ShowOptions& options, const mjModel_& model, WindowKeys keys);
+std::unique_ptr<ViewOutput> makeScreen(const ShowOptions& options, const mjModel_& model, WindowKeys keys);
 
 }  // namespace darwinop::twin

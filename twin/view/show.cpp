@@ -127,7 +127,7 @@ class Show {
 
   const ShowOptions& options_;
   Signals signals_;
-  std::unique_ptr<Screen> screen_;
+  std::unique_ptr<ViewOutput> screen_;
   WatchedBody* watched_ = nullptr;  // robot_ owns it
   std::unique_ptr<hil::VirtualRobot> robot_;
   std::unique_ptr<hil::PtyHost> host_;

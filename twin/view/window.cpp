@@ -30,7 +30,7 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kHelp{{
 
 }  // namespace
 
-struct Window::Parts {
+struct ViewWindow::Parts {
   /// Initializes and terminates the library.
   struct Glfw {
     Glfw() {
@@ -130,30 +130,30 @@ struct Window::Parts {
   }
 };
 
-Window::Window(const mjModel& model, int width, int height, const std::string& title, WindowKeys keys)
+ViewWindow::ViewWindow(const mjModel& model, int width, int height, const std::string& title, WindowKeys keys)
     : parts_{std::make_unique<Parts>(model, std::move(keys))} {
   parts_->open(width, height, title);
 }
 
-Window::~Window() = default;
+ViewWindow::~ViewWindow() = default;
 
-Scene& Window::scene() noexcept {
+Scene& ViewWindow::scene() noexcept {
   return parts_->scene;
 }
 
-void Window::setLine(const std::string& line) {
+void ViewWindow::setLine(const std::string& line) {
   parts_->line = line;
 }
 
-void Window::pollEvents() {
+void ViewWindow::pollEvents() {
   glfwPollEvents();
 }
 
-bool Window::closed() const noexcept {
+bool ViewWindow::closed() const noexcept {
   return glfwWindowShouldClose(parts_->window) == GLFW_TRUE;
 }
 
-void Window::draw() {
+void ViewWindow::draw() {
   mjrRect area{0, 0, 0, 0};
   glfwGetFramebufferSize(parts_->window, &area.width, &area.height);
   if (area.width < 1 || area.height < 1) return;  // minimised

@@ -21,11 +21,11 @@ struct WindowKeys {
 };
 
 /// Use from the main thread only, one window at a time.
-class Window {
+class ViewWindow {
  public:
   /// Throws NoDisplay.
-  Window(const mjModel_& model, int width, int height, const std::string& title, WindowKeys keys);
-  ~Window();
+  ViewWindow(const mjModel_& model, int width, int height, const std::string& title, WindowKeys keys);
+  ~ViewWindow();
 
   [[nodiscard]] Scene& scene() noexcept;
   /// Sets the text at the top left.

@@ -60,20 +60,20 @@ void drawModel(Baseline baseline, Rng& rng, Case& c) {
 }
 
 struct LogPlan {
-  Motion motion;
+  ExcitationMotion motion;
   bool kept, low_gain, heavy, again;  // again: the log before once more
 };
 constexpr auto kSession = std::to_array<LogPlan>({
-    {Motion::kSlowTriangle, false, false, false, false},
-    {Motion::kSteps, false, false, false, false},
-    {Motion::kMultisine, false, false, false, false},
-    {Motion::kMultisine, false, false, false, true},
-    {Motion::kBang, false, true, false, false},
-    {Motion::kRelease, false, false, false, false},
-    {Motion::kSteps, false, true, true, false},
-    {Motion::kChirp, true, true, false, false},
-    {Motion::kMoves, true, false, true, false},
-    {Motion::kRelease, true, false, false, false},
+    {ExcitationMotion::kSlowTriangle, false, false, false, false},
+    {ExcitationMotion::kSteps, false, false, false, false},
+    {ExcitationMotion::kMultisine, false, false, false, false},
+    {ExcitationMotion::kMultisine, false, false, false, true},
+    {ExcitationMotion::kBang, false, true, false, false},
+    {ExcitationMotion::kRelease, false, false, false, false},
+    {ExcitationMotion::kSteps, false, true, true, false},
+    {ExcitationMotion::kChirp, true, true, false, false},
+    {ExcitationMotion::kMoves, true, false, true, false},
+    {ExcitationMotion::kRelease, true, false, false, false},
 });
 
 /// Values that only the simulation gives.
@@ -86,7 +86,7 @@ void clearMeasured(const WarmUp& warmth, Trajectory& log) {
     log.temp_c[i] = std::round(warmth.at(log.session_start_s + log.time_s[i] - log.time_s[0]));
 }
 
-void fillRows(Commands commands, Trajectory& log) {
+void fillRows(CommandSeries commands, Trajectory& log) {
   for (std::size_t i = 0; i < commands.goal_rad.size(); ++i) {
     log.time_s.push_back(rounded(static_cast<double>(i) * kHostPeriod, 0.001));
     log.lines.push_back(static_cast<std::uint32_t>(i + 2));
@@ -95,7 +95,7 @@ void fillRows(Commands commands, Trajectory& log) {
   log.torque_on = std::move(commands.torque_on);
 }
 
-void drawLogs(Baseline baseline, Rng& rng, Plan& plan) {
+void drawLogs(Baseline baseline, Rng& rng, CasePlan& plan) {
   constexpr std::array kHigh{16.0, 24.0, 32.0}, kLow{6.0, 8.0, 12.0};
   const double high = baseline == Baseline::kSpeed ? rng.pick(std::array{16.0, 24.0}) : rng.pick(kHigh);
   const double low = rng.pick(kLow);
@@ -134,9 +134,9 @@ double WarmUp::at(double session_s) const {
   return start_c + rise_k * (1 - std::exp(-std::max(0.0, session_s) / time_s));
 }
 
-Plan drawnPlan(const std::string& name, Baseline baseline, std::uint64_t seed) {
+CasePlan drawnPlan(const std::string& name, Baseline baseline, std::uint64_t seed) {
   Rng rng{seed};
-  Plan plan;
+  CasePlan plan;
   plan.given.name = plan.given.model.name = name;
   drawModel(baseline, rng, plan.given);
   plan.warmth.rise_k = rng.between(16, 28);
@@ -145,8 +145,8 @@ Plan drawnPlan(const std::string& name, Baseline baseline, std::uint64_t seed) {
   return plan;
 }
 
-Plan planLike(const Case& other, const std::string& name) {
-  Plan plan;
+CasePlan planLike(const Case& other, const std::string& name) {
+  CasePlan plan;
   plan.given = other;
   plan.given.name = name;
   plan.given.folder.clear();

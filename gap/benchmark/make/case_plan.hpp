@@ -25,14 +25,14 @@ struct WarmUp {
   [[nodiscard]] double at(double session_s) const;
 };
 
-struct Plan {
+struct CasePlan {
   Case given;  // its logs have time, goal and torque; measured columns are empty except for the temperature
   WarmUp warmth;
 };
 
 /// Numbers around those of an MX-28, ten logs as benches of this servo make them in a session of 86 s.
-Plan drawnPlan(const std::string& name, Baseline baseline, std::uint64_t seed);
+CasePlan drawnPlan(const std::string& name, Baseline baseline, std::uint64_t seed);
 /// Bench and commands of an existing case.
-Plan planLike(const Case& other, const std::string& name);
+CasePlan planLike(const Case& other, const std::string& name);
 
 }  // namespace darwinop::gap

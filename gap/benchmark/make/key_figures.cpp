@@ -32,7 +32,7 @@ void addPlaces(const Trajectory& with, const Trajectory& without, std::vector<Ke
 
 }  // namespace
 
-void compare(const Plan& measured, const Plan& quiet, const Truth& truth, Key& key) {
+void compare(const CasePlan& measured, const CasePlan& quiet, const Truth& truth, Key& key) {
   const Hypothesis baseline = baselineOf(measured.given);
   Truth known = truth;
   known.outside.clear();

@@ -7,6 +7,6 @@
 namespace darwinop::gap {
 
 /// `measured` and `quiet`: the same bench with and without noise.
-void compare(const Plan& measured, const Plan& quiet, const Truth& truth, Key& key);
+void compare(const CasePlan& measured, const CasePlan& quiet, const Truth& truth, Key& key);
 
 }  // namespace darwinop::gap

@@ -99,7 +99,7 @@ std::string baselineName(const CaseRequest& request, const Case& given) {
 Hidden hidden(const CaseRequest& request) {
   checkName(request.name);
   Rng rng{request.seed};
-  Plan plan =
+  CasePlan plan =
       request.like ? planLike(*request.like, request.name) : drawnPlan(request.name, request.baseline, rng.next());
   Key key;
   key.exact = !request.wrong_numbers;
@@ -117,7 +117,7 @@ Hidden hidden(const CaseRequest& request) {
   }
   key.kind = classOf(truth, request.effects.size());
 
-  Plan quiet = plan;
+  CasePlan quiet = plan;
   for (std::size_t i = 0; i < plan.given.logs.size(); ++i) {
     Disturbance disturbance = request.disturbance;
     disturbance.seed = rng.next();

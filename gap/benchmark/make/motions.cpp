@@ -102,24 +102,25 @@ constexpr auto kMotions = std::to_array<MotionRow>({
     {"moves", moves, 281, 281},
 });
 
-const MotionRow& rowOf(Motion motion) {
+const MotionRow& rowOf(ExcitationMotion motion) {
   return kMotions[static_cast<std::size_t>(motion)];
 }
 
 }  // namespace
 
-std::string_view nameOf(Motion motion) {
+std::string_view nameOf(ExcitationMotion motion) {
   return rowOf(motion).name;
 }
 
-Commands commandsOf(Motion motion, bool held_out, Rng& rng) {
+CommandSeries commandsOf(ExcitationMotion motion, bool held_out, Rng& rng) {
   const MotionRow& row = rowOf(motion);
   const Goal goal = row.goal(rng);
-  Commands commands;
+  CommandSeries commands;
   for (std::size_t i = 0; i < (held_out ? row.kept_rows : row.rows); ++i) {
     const double time_s = static_cast<double>(i) * kHostPeriod;
     commands.goal_rad.push_back(std::round(goal(time_s) / kRadPerTick) * kRadPerTick);
-    commands.torque_on.push_back(motion == Motion::kRelease && time_s >= kReleasedAt - kHostPeriod / 2 ? 0 : 1);
+    commands.torque_on.push_back(motion == ExcitationMotion::kRelease && time_s >= kReleasedAt - kHostPeriod / 2 ? 0
+                                                                                                                 : 1);
   }
   return commands;
 }

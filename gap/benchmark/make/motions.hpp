@@ -9,19 +9,19 @@
 
 namespace darwinop::gap {
 
-enum class Motion : std::uint8_t { kSlowTriangle, kSteps, kMultisine, kBang, kRelease, kChirp, kMoves };
+enum class ExcitationMotion : std::uint8_t { kSlowTriangle, kSteps, kMultisine, kBang, kRelease, kChirp, kMoves };
 /// As a case calls it: "slow_tri".
-std::string_view nameOf(Motion motion);
+std::string_view nameOf(ExcitationMotion motion);
 
 inline constexpr double kHostPeriod = 0.016;  // s, of reads and commands
 
 /// One value a row.
-struct Commands {
+struct CommandSeries {
   std::vector<double> goal_rad;  // whole steps of the encoder
   std::vector<std::uint8_t> torque_on;
 };
 
 /// `held_out`: the variant for held-out logs; `rng` draws the rest.
-Commands commandsOf(Motion motion, bool held_out, Rng& rng);
+CommandSeries commandsOf(ExcitationMotion motion, bool held_out, Rng& rng);
 
 }  // namespace darwinop::gap

@@ -32,7 +32,7 @@ std::vector<std::unique_ptr<twin::Effect>> effectsOf(const Truth& truth, std::un
 template <class Arm>
 class Session {
  public:
-  Session(const Plan& plan, const Truth& truth, const Disturbance* disturbance, Trajectory& log)
+  Session(const CasePlan& plan, const Truth& truth, const Disturbance* disturbance, Trajectory& log)
       : plan_{plan},
         log_{log},
         period_s_{truth.bench.servo.firmware_period_s},
@@ -69,7 +69,7 @@ class Session {
   }
 
  private:
-  static twin::ServoParameters servoOf(const Plan& plan, const Truth& truth) {
+  static twin::ServoParameters servoOf(const CasePlan& plan, const Truth& truth) {
     twin::ServoParameters servo = truth.bench.servo;
     if (!plan.given.quantised) servo.ticks_per_rev = kFineTicks;
     servo.overload_time_s = std::numeric_limits<double>::infinity();
@@ -104,7 +104,7 @@ class Session {
     log_.temp_c[row] = temperature_c_;
   }
 
-  const Plan& plan_;
+  const CasePlan& plan_;
   Trajectory& log_;
   double period_s_, supply_v_, session_s_ = 0, temperature_c_ = 25;
   Arm arm_;
@@ -129,7 +129,7 @@ void roundColumns(const Disturbance& disturbance, double ticks_per_rev, Trajecto
 
 }  // namespace
 
-void measure(const Plan& plan, const Truth& truth, const Disturbance* disturbance, Trajectory& log) {
+void measure(const CasePlan& plan, const Truth& truth, const Disturbance* disturbance, Trajectory& log) {
   if (truth.bench.has(twin::StepDemand::kSoftGear))
     Session<twin::Bench>{plan, truth, disturbance, log}.run();
   else

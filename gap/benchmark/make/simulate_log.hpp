@@ -18,6 +18,6 @@ struct Truth {
 /// Fills the measured columns of one log of the plan, in the resolution of the registers. `disturbance` null: without
 /// noise and rounding; the firmware still counts in steps of the encoder. A rigid gear runs on RigidArm; one with play
 /// or a spring on twin::Bench, with a quarter of the time step of a fit.
-void measure(const Plan& plan, const Truth& truth, const Disturbance* disturbance, Trajectory& log);
+void measure(const CasePlan& plan, const Truth& truth, const Disturbance* disturbance, Trajectory& log);
 
 }  // namespace darwinop::gap

@@ -36,8 +36,8 @@ AnswerEffect effectOf(const Json& json) {
   return effect;
 }
 
-Answer answerOf(const Json& json) {
-  Answer answer;
+CaseAnswer answerOf(const Json& json) {
+  CaseAnswer answer;
   answer.verdict = json.at("verdict");
   for (const Json& effect : json.value("effects", Json::array())) answer.effects.push_back(effectOf(effect));
   for (const Json& set : json.value("ambiguity", Json::array()))

@@ -20,7 +20,7 @@ struct AnswerPlace {
   std::string block;  // "controller"; empty: not stated
 };
 
-struct Answer {
+struct CaseAnswer {
   std::string verdict;  // "named"
   std::vector<AnswerEffect> effects;
   std::vector<std::vector<std::string>> ambiguity;
@@ -30,7 +30,7 @@ struct Answer {
   double before_rad = 0, after_rad = 0;  // on the held-out logs; NaN: not stated
   double runtime_s = 0;                  // NaN: not stated
 };
-using Answers = std::map<std::string, Answer>;  // by name of the case
+using Answers = std::map<std::string, CaseAnswer>;  // by name of the case
 
 /// Throws std::runtime_error, a sentence with file and case.
 Answers readAnswers(const std::string& path);

@@ -10,7 +10,7 @@ namespace darwinop::gap {
 
 struct GradedCase {
   const Key& key;
-  const Answer* answer;  // null: none that counts
+  const CaseAnswer* answer;  // null: none that counts
 
   [[nodiscard]] bool hasVerdict(std::string_view verdict) const;
   /// An effect of the case.

@@ -19,10 +19,10 @@ constexpr std::chrono::nanoseconds timeOf(std::uint64_t frames) {
 }
 }  // namespace
 
-Player::Player(std::function<void(const SoundEvent&)> report)
+SoundPlayer::SoundPlayer(std::function<void(const SoundEvent&)> report)
     : report_{std::move(report)}, thread_{[this] { run(); }} {}
 
-Player::~Player() {
+SoundPlayer::~SoundPlayer() {
   {
     const std::lock_guard lock{mutex_};
     ending_ = true;
@@ -31,7 +31,7 @@ Player::~Player() {
   thread_.join();
 }
 
-void Player::run() {
+void SoundPlayer::run() {
   for (;;) {
     {
       std::unique_lock lock{mutex_};
@@ -43,7 +43,7 @@ void Player::run() {
 }
 
 /// Plays from the first sound until silence.
-void Player::sound() {
+void SoundPlayer::sound() {
   std::unique_ptr<Card> card;
   try {
     card = openCard();
@@ -71,7 +71,7 @@ void Player::sound() {
 }
 
 /// If the card is removed, the remaining sounds end at their usual time, without output.
-void Player::write(std::unique_ptr<Card>& card, std::span<const Sample> piece) {
+void SoundPlayer::write(std::unique_ptr<Card>& card, std::span<const Sample> piece) {
   if (!card) return;
   try {
     card->write(piece);
@@ -81,7 +81,7 @@ void Player::write(std::unique_ptr<Card>& card, std::span<const Sample> piece) {
   }
 }
 
-void Player::reportEnded(Clock::time_point played_at) {
+void SoundPlayer::reportEnded(Clock::time_point played_at) {
   for (; !ended_.empty() && ended_.front().played_at <= played_at; ended_.pop_front())
     report_(SoundEnded{ended_.front().id});
 }

@@ -13,13 +13,13 @@
 
 namespace darwinop::audio {
 
-class Player {
+class SoundPlayer {
  public:
   /// `report` is called from the playback thread.
-  explicit Player(std::function<void(const SoundEvent&)> report);
-  ~Player();
-  Player(const Player&) = delete;
-  Player& operator=(const Player&) = delete;
+  explicit SoundPlayer(std::function<void(const SoundEvent&)> report);
+  ~SoundPlayer();
+  SoundPlayer(const SoundPlayer&) = delete;
+  SoundPlayer& operator=(const SoundPlayer&) = delete;
 
   /// Runs `change` on the mixer between two blocks.
   template <class Change>

@@ -78,7 +78,7 @@ class Service {
 
   int socket_;
   std::string home_;
-  Player player_{[this](const SoundEvent& event) { report(event); }};
+  SoundPlayer player_{[this](const SoundEvent& event) { report(event); }};
   std::unique_ptr<Speech> speech_;
 };
 

@@ -27,7 +27,7 @@ class OpenSoundFile final : public SoundSource {
   OpenSoundFile(SNDFILE* file, const SF_INFO& info) : file_{file}, info_{info} {}
 
   [[nodiscard]] int rate() const override { return info_.samplerate; }
-  std::size_t read(std::span<Frame> frames) override {
+  std::size_t read(std::span<AudioFrame> frames) override {
     const auto channels = static_cast<std::size_t>(info_.channels);
     samples_.resize(frames.size() * channels);
     const sf_count_t count = sf_readf_float(file_.get(), samples_.data(), static_cast<sf_count_t>(frames.size()));

@@ -39,7 +39,7 @@ class Voice final : public SoundSource {
   Voice& operator=(const Voice&) = delete;
 
   [[nodiscard]] int rate() const override { return spoken_->rate(); }
-  std::size_t read(std::span<Frame> frames) override { return spoken_->take(frames); }
+  std::size_t read(std::span<AudioFrame> frames) override { return spoken_->take(frames); }
   [[nodiscard]] bool ended() const override { return spoken_->drained(); }
   bool rewind() override { return false; }
 

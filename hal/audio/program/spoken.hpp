@@ -31,7 +31,7 @@ class Spoken {
     complete_ = true;
   }
 
-  std::size_t take(std::span<Frame> frames) {
+  std::size_t take(std::span<AudioFrame> frames) {
     const std::lock_guard lock{mutex_};
     const std::size_t count = std::min(frames.size(), samples_.size());
     for (std::size_t i = 0; i < count; ++i) {

@@ -21,8 +21,8 @@ T& as(void* argument) {
   return *static_cast<T*>(argument);
 }
 
-const Size* sizeOf(std::uint32_t width, std::uint32_t height) {
-  for (const Size& size : kSizes)
+const FrameSize* sizeOf(std::uint32_t width, std::uint32_t height) {
+  for (const FrameSize& size : kSizes)
     if (size.width == width && size.height == height) return &size;
   return nullptr;
 }
@@ -37,11 +37,11 @@ int describeInput(v4l2_input& input) {
 
 }  // namespace
 
-std::uint32_t Device::pixelFormat() {
+std::uint32_t FakeV4l2Device::pixelFormat() {
   return reader_.fault() == CameraFault::kOtherFormat ? V4L2_PIX_FMT_MJPEG : V4L2_PIX_FMT_YUYV;
 }
 
-int Device::capability(v4l2_capability& answer) {
+int FakeV4l2Device::capability(v4l2_capability& answer) {
   answer = {};
   copyText(answer.driver, "darwinop");
   copyText(answer.card, "DARwIn-OP virtual camera");
@@ -53,7 +53,7 @@ int Device::capability(v4l2_capability& answer) {
   return 0;
 }
 
-int Device::describeFormat(v4l2_fmtdesc& format) {
+int FakeV4l2Device::describeFormat(v4l2_fmtdesc& format) {
   if (format.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || format.index != 0) return EINVAL;
   format = {};
   format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -64,7 +64,7 @@ int Device::describeFormat(v4l2_fmtdesc& format) {
   return 0;
 }
 
-int Device::describeSize(v4l2_frmsizeenum& size) {
+int FakeV4l2Device::describeSize(v4l2_frmsizeenum& size) {
   if (size.pixel_format != pixelFormat() || size.index >= kSizeCount) return EINVAL;
   const std::uint32_t index = size.index, format = size.pixel_format;
   size = {};
@@ -75,8 +75,8 @@ int Device::describeSize(v4l2_frmsizeenum& size) {
   return 0;
 }
 
-int Device::describeInterval(v4l2_frmivalenum& asked) {
-  const Size* const size = sizeOf(asked.width, asked.height);
+int FakeV4l2Device::describeInterval(v4l2_frmivalenum& asked) {
+  const FrameSize* const size = sizeOf(asked.width, asked.height);
   if (size == nullptr || asked.pixel_format != pixelFormat() || asked.index >= kIntervalCount) return EINVAL;
   asked.type = V4L2_FRMIVAL_TYPE_DISCRETE;
   asked.discrete = interval(*size, asked.index);
@@ -84,13 +84,13 @@ int Device::describeInterval(v4l2_frmivalenum& asked) {
   return 0;
 }
 
-int Device::format(std::uint32_t request, v4l2_format& format) {
+int FakeV4l2Device::format(std::uint32_t request, v4l2_format& format) {
   if (format.type != V4L2_BUF_TYPE_VIDEO_CAPTURE) return EINVAL;
   const bool sets = request == VIDIOC_S_FMT;
   if (sets && (buffers_.count() != 0 || reader_.fault() == CameraFault::kBusy)) return EBUSY;
   const std::uint32_t index =
       request == VIDIOC_G_FMT ? size_ : nearestSize(format.fmt.pix.width, format.fmt.pix.height);
-  const Size& size = kSizes[index];
+  const FrameSize& size = kSizes[index];
   if (sets) {
     size_ = index;
     interval_ = size.fastest;
@@ -109,7 +109,7 @@ int Device::format(std::uint32_t request, v4l2_format& format) {
   return 0;
 }
 
-int Device::parameters(std::uint32_t request, v4l2_streamparm& parameters) {
+int FakeV4l2Device::parameters(std::uint32_t request, v4l2_streamparm& parameters) {
   if (parameters.type != V4L2_BUF_TYPE_VIDEO_CAPTURE) return EINVAL;
   if (request == VIDIOC_S_PARM) {
     if (streaming_) return EBUSY;
@@ -122,7 +122,7 @@ int Device::parameters(std::uint32_t request, v4l2_streamparm& parameters) {
   return 0;
 }
 
-int Device::answerAboutControls(std::uint32_t request, void* argument) {
+int FakeV4l2Device::answerAboutControls(std::uint32_t request, void* argument) {
   switch (request) {
     case VIDIOC_QUERYCTRL:
       return controls_.describe(as<v4l2_queryctrl>(argument));
@@ -145,7 +145,7 @@ int Device::answerAboutControls(std::uint32_t request, void* argument) {
   }
 }
 
-int Device::answer(std::uint32_t handle, std::uint32_t request, void* argument) {
+int FakeV4l2Device::answer(std::uint32_t handle, std::uint32_t request, void* argument) {
   switch (request) {
     case VIDIOC_QUERYCAP:
       return capability(as<v4l2_capability>(argument));

@@ -31,7 +31,7 @@ timespec now() {
 
 }  // namespace
 
-int Device::startThread() {
+int FakeV4l2Device::startThread() {
   sigset_t all, mine;
   sigfillset(&all);
   for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
@@ -56,12 +56,12 @@ int Device::startThread() {
   return error;
 }
 
-void* Device::runThread(void* generation) {
+void* FakeV4l2Device::runThread(void* generation) {
   the_camera.deliver(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(generation)));
   return nullptr;
 }
 
-void Device::deliver(std::uint32_t generation) {
+void FakeV4l2Device::deliver(std::uint32_t generation) {
   const Lock lock{mutex_};
   timespec next = now();
   std::uint32_t frames = 0;
@@ -77,7 +77,7 @@ void Device::deliver(std::uint32_t generation) {
   }
 }
 
-bool Device::frame() {
+bool FakeV4l2Device::frame() {
   const CameraFault fault = reader_.fault();
   if (fault == CameraFault::kGone) unplug();
   if (fault == CameraFault::kGone) return false;
@@ -86,7 +86,7 @@ bool Device::frame() {
   if (fault == CameraFault::kDrops && sequence % 3 == 2) return true;
   if (buffers_.queued.empty()) return true;  // lost: the program is too slow
   const std::uint32_t index = buffers_.queued.pop();
-  const Size& size = kSizes[size_];
+  const FrameSize& size = kSizes[size_];
   const timespec time = now();
   reader_.read(size.width, size.height, buffers_.data(index));
   Buffer& buffer = buffers_[index];
@@ -100,7 +100,7 @@ bool Device::frame() {
   return true;
 }
 
-void Device::signal() {
+void FakeV4l2Device::signal() {
   const std::uint64_t one = 1;
   [[maybe_unused]] const ssize_t written = write(ownerDescriptor(), &one, sizeof one);
 }

@@ -9,30 +9,30 @@
 
 namespace darwinop::hil::shim {
 
-constinit Device the_camera;
+constinit FakeV4l2Device the_camera;
 
-std::uint32_t Device::handleOf(int fd) const {
+std::uint32_t FakeV4l2Device::handleOf(int fd) const {
   for (std::uint32_t i = 0; fd >= 0 && i < kMostHandles; ++i)
     if (fds_[i].load() == fd + 1) return i;
   return kNobody;
 }
 
 /// Lock-free: called for every file of the process.
-bool Device::owns(int fd) const {
+bool FakeV4l2Device::owns(int fd) const {
   return handleOf(fd) != kNobody && process_.load() == getpid();
 }
 
 /// Holds the lock during fork(), so that no thread is inside.
-void Device::beforeFork() {
+void FakeV4l2Device::beforeFork() {
   pthread_mutex_lock(&the_camera.mutex_);
 }
 
-void Device::afterForkInParent() {
+void FakeV4l2Device::afterForkInParent() {
   pthread_mutex_unlock(&the_camera.mutex_);
 }
 
 /// After fork() in the child: the thread and all descriptors belong to the parent.
-void Device::afterForkInChild() {
+void FakeV4l2Device::afterForkInChild() {
   the_camera.changed_ = PTHREAD_COND_INITIALIZER;  // otherwise it would wait for the parent's waiters
   for (std::uint32_t i = 0; i < kMostHandles; ++i) the_camera.fds_[i].store(0);
   the_camera.owner_ = kNobody;
@@ -41,7 +41,7 @@ void Device::afterForkInChild() {
   pthread_mutex_unlock(&the_camera.mutex_);
 }
 
-int Device::open(int flags) {
+int FakeV4l2Device::open(int flags) {
   const Lock lock{mutex_};
   if (!minds_forks_) minds_forks_ = pthread_atfork(beforeFork, afterForkInParent, afterForkInChild) == 0;
   reader_.refresh();
@@ -62,7 +62,7 @@ int Device::open(int flags) {
   return fd;
 }
 
-void Device::closing(int fd) {
+void FakeV4l2Device::closing(int fd) {
   const Lock lock{mutex_};
   const std::uint32_t handle = handleOf(fd);
   if (handle == kNobody) return;  // closed by another thread
@@ -74,7 +74,7 @@ void Device::closing(int fd) {
   fds_[handle].store(0);
 }
 
-int Device::control(int fd, std::uint32_t request, void* argument) {
+int FakeV4l2Device::control(int fd, std::uint32_t request, void* argument) {
   if (argument == nullptr) return _IOC_SIZE(request) == 0 ? ENOTTY : EFAULT;
   const Lock lock{mutex_};
   const std::uint32_t handle = handleOf(fd);
@@ -83,7 +83,7 @@ int Device::control(int fd, std::uint32_t request, void* argument) {
   return dead_[handle] ? ENODEV : answer(handle, request, argument);
 }
 
-int Device::memoryAt(std::size_t length, std::uint32_t offset) {
+int FakeV4l2Device::memoryAt(std::size_t length, std::uint32_t offset) {
   constexpr std::size_t kPage = 4096;
   const Lock lock{mutex_};
   for (std::uint32_t i = 0; i < buffers_.count(); ++i) {
@@ -96,14 +96,14 @@ int Device::memoryAt(std::size_t length, std::uint32_t offset) {
   return -1;
 }
 
-CameraFault Device::fault() {
+CameraFault FakeV4l2Device::fault() {
   const Lock lock{mutex_};
   reader_.refresh();
   return reader_.fault();
 }
 
 /// Notifies programs with the device open: readable descriptor, then ENODEV.
-void Device::unplug() {
+void FakeV4l2Device::unplug() {
   if (streaming_) stop();  // before the signals: it consumes pending ones
   for (std::uint32_t i = 0; i < kMostHandles; ++i) {
     const std::uint64_t one = 1;

@@ -20,9 +20,9 @@ namespace darwinop::hil::shim {
 ///
 /// Thread-safe. A child after fork() has no camera until it opens one. Never destroyed: other threads may still use it
 /// at process exit.
-class Device {
+class FakeV4l2Device {
  public:
-  constexpr Device() = default;
+  constexpr FakeV4l2Device() = default;
 
   int open(int flags);  // a descriptor, or -1 and errno
   [[nodiscard]] bool owns(int fd) const;
@@ -88,10 +88,10 @@ class Device {
   v4l2_fract interval_ = kSizes[0].fastest;
   Controls controls_;
   Buffers buffers_;
-  FrameReader reader_;
+  FrameFileReader reader_;
 };
 
-extern constinit Device the_camera;
+extern constinit FakeV4l2Device the_camera;
 
 class Lock {
  public:

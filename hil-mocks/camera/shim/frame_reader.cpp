@@ -29,7 +29,7 @@ FrameFile* mapped(int fd, const struct stat& status) {
 
 }  // namespace
 
-void FrameReader::refresh() {
+void FrameFileReader::refresh() {
   const char* const path = std::getenv("DARWINOP_VIRTUAL_CAMERA");
   if (path == nullptr) return;
   const int fd = open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
@@ -47,11 +47,11 @@ void FrameReader::refresh() {
   if (fd >= 0) close(fd);
 }
 
-CameraFault FrameReader::fault() const {
+CameraFault FrameFileReader::fault() const {
   return file_ == nullptr ? CameraFault::kNone : static_cast<CameraFault>(file_->fault.load());
 }
 
-void FrameReader::want(std::uint32_t width, std::uint32_t height) {
+void FrameFileReader::want(std::uint32_t width, std::uint32_t height) {
   width_ = width;
   height_ = height;
   if (file_ == nullptr) return;
@@ -60,11 +60,11 @@ void FrameReader::want(std::uint32_t width, std::uint32_t height) {
   ask();
 }
 
-void FrameReader::ask() const {
+void FrameFileReader::ask() const {
   if (file_ != nullptr) file_->asked_ns.store(frameFileClock());
 }
 
-void FrameReader::read(std::uint32_t width, std::uint32_t height, std::uint8_t* yuyv) const {
+void FrameFileReader::read(std::uint32_t width, std::uint32_t height, std::uint8_t* yuyv) const {
   const std::size_t bytes = std::size_t{2} * width * height;
   ask();
   for (int i = 0; file_ != nullptr && i < kTries; ++i) {

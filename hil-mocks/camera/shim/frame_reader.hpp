@@ -10,7 +10,7 @@
 namespace darwinop::hil::shim {
 
 /// Grey and without faults until there is a painter. Not thread-safe.
-class FrameReader {
+class FrameFileReader {
  public:
   /// Checks whether $DARWINOP_VIRTUAL_CAMERA names another file than the mapped one.
   void refresh();

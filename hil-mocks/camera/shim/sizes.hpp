@@ -7,13 +7,13 @@
 
 namespace darwinop::hil::shim {
 
-struct Size {
+struct FrameSize {
   std::uint32_t width, height;
   v4l2_fract fastest;                                                   // interval between two frames, s
   constexpr std::uint32_t bytes() const { return 2 * width * height; }  // YUYV
 };
 
-inline constexpr Size kSizes[] = {
+inline constexpr FrameSize kSizes[] = {
     {320, 240, {1, 30}}, {640, 360, {1, 30}}, {640, 400, {1, 30}},
     {640, 480, {1, 30}}, {768, 480, {1, 28}}, {800, 600, {2, 45}},
 };
@@ -23,7 +23,7 @@ inline constexpr std::uint32_t kSizeCount = sizeof kSizes / sizeof kSizes[0];
 inline constexpr v4l2_fract kSlowerIntervals[] = {{1, 15}, {1, 10}, {1, 5}};
 inline constexpr std::uint32_t kIntervalCount = 1 + sizeof kSlowerIntervals / sizeof kSlowerIntervals[0];
 
-constexpr v4l2_fract interval(const Size& size, std::uint32_t index) {
+constexpr v4l2_fract interval(const FrameSize& size, std::uint32_t index) {
   return index == 0 ? size.fastest : kSlowerIntervals[index - 1];
 }
 constexpr double seconds(v4l2_fract interval) {
@@ -42,7 +42,7 @@ constexpr std::uint32_t nearestSize(std::uint32_t width, std::uint32_t height) {
 }
 static_assert(nearestSize(160, 120) == 0 && nearestSize(5000, 5000) == kSizeCount - 1 && nearestSize(640, 470) == 3);
 
-constexpr v4l2_fract nearestInterval(const Size& size, v4l2_fract wanted) {
+constexpr v4l2_fract nearestInterval(const FrameSize& size, v4l2_fract wanted) {
   if (wanted.numerator == 0 || wanted.denominator == 0) return size.fastest;  // request for the default
   constexpr auto kApart = [](double a, double b) { return a > b ? a - b : b - a; };
   v4l2_fract best = size.fastest;

@@ -18,7 +18,7 @@ bool readable(int fd, int wait_ms) {
 
 }  // namespace
 
-int Device::requestBuffers(std::uint32_t handle, v4l2_requestbuffers& request) {
+int FakeV4l2Device::requestBuffers(std::uint32_t handle, v4l2_requestbuffers& request) {
   const CameraFault fault = reader_.fault();
   if (request.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || request.memory != V4L2_MEMORY_MMAP) return EINVAL;
   if (fault == CameraFault::kNoMmap) return EINVAL;
@@ -35,7 +35,7 @@ int Device::requestBuffers(std::uint32_t handle, v4l2_requestbuffers& request) {
   return 0;
 }
 
-void Device::describe(std::uint32_t index, v4l2_buffer& buffer) {
+void FakeV4l2Device::describe(std::uint32_t index, v4l2_buffer& buffer) {
   const Buffer& ours = buffers_[index];
   buffer = {};
   buffer.index = index;
@@ -53,13 +53,13 @@ void Device::describe(std::uint32_t index, v4l2_buffer& buffer) {
                  (ours.state == Buffer::kFilled ? V4L2_BUF_FLAG_DONE : 0u);
 }
 
-int Device::queryBuffer(v4l2_buffer& buffer) {
+int FakeV4l2Device::queryBuffer(v4l2_buffer& buffer) {
   if (buffer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || buffer.index >= buffers_.count()) return EINVAL;
   describe(buffer.index, buffer);
   return 0;
 }
 
-int Device::queue(std::uint32_t handle, v4l2_buffer& buffer) {
+int FakeV4l2Device::queue(std::uint32_t handle, v4l2_buffer& buffer) {
   if (buffer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || buffer.memory != V4L2_MEMORY_MMAP) return EINVAL;
   if ((buffer.flags & V4L2_BUF_FLAG_REQUEST_FD) != 0) return EINVAL;
   if (owner_ != kNobody && owner_ != handle) return EBUSY;
@@ -71,7 +71,7 @@ int Device::queue(std::uint32_t handle, v4l2_buffer& buffer) {
   return 0;
 }
 
-int Device::dequeue(std::uint32_t handle, v4l2_buffer& buffer) {
+int FakeV4l2Device::dequeue(std::uint32_t handle, v4l2_buffer& buffer) {
   if (buffer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || buffer.memory != V4L2_MEMORY_MMAP) return EINVAL;
   if (owner_ != kNobody && owner_ != handle) return EBUSY;
   const int fd = fds_[handle].load() - 1;
@@ -100,21 +100,21 @@ int Device::dequeue(std::uint32_t handle, v4l2_buffer& buffer) {
   return 0;
 }
 
-int Device::streamOn(std::uint32_t handle, int type) {
+int FakeV4l2Device::streamOn(std::uint32_t handle, int type) {
   if (type != V4L2_BUF_TYPE_VIDEO_CAPTURE) return EINVAL;
   if (owner_ == kNobody) return EINVAL;
   if (owner_ != handle || reader_.fault() == CameraFault::kBusy) return EBUSY;
   return streaming_ ? 0 : startThread();
 }
 
-int Device::streamOff(std::uint32_t handle, int type) {
+int FakeV4l2Device::streamOff(std::uint32_t handle, int type) {
   if (type != V4L2_BUF_TYPE_VIDEO_CAPTURE) return EINVAL;
   if (owner_ != kNobody && owner_ != handle) return EBUSY;
   stop();
   return 0;
 }
 
-void Device::stop() {
+void FakeV4l2Device::stop() {
   if (owner_ != kNobody)
     while (readable(ownerDescriptor(), 0)) takeSignal();
   streaming_ = false;
@@ -124,7 +124,7 @@ void Device::stop() {
 }
 
 /// Non-blocking: the program may have read the eventfd itself.
-void Device::takeSignal() {
+void FakeV4l2Device::takeSignal() {
   std::uint64_t one = 0;
   if (readable(ownerDescriptor(), 0)) [[maybe_unused]]
     const ssize_t taken = read(ownerDescriptor(), &one, sizeof one);

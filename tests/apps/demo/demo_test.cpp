@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 /// Fraction of pixels that differ by more than video noise.
-double changed(const twin::Picture& a, const twin::Picture& b) {
+double changed(const twin::RenderedPicture& a, const twin::RenderedPicture& b) {
   int count = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) count += std::abs(a.rgb[i] - b.rgb[i]) > 60 ? 1 : 0;
   return static_cast<double>(count) / static_cast<double>(a.rgb.size());

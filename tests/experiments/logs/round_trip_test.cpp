@@ -16,7 +16,7 @@ TEST(RoundTrip, ARecordedRunEqualsTheValuesOfTheController) {
   const TemporaryFolder folder;
   std::vector<Sensors> seen;
   {
-    connect::Request request;
+    connect::ConnectRequest request;
     request.setting = "virtual";
     request.robot_name = "Darwin 7";
     request.record_path = folder / "run.csv";

@@ -41,7 +41,7 @@ TEST_P(SuiteFile, IsWithinLimitsAndNamedAsItsFile) {
 
 TEST_P(SuiteFile, CompletesOnTheVirtualRobotAndReturnsToTheStartPose) {
   VirtualRun run{experiment};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   for (std::size_t i = 0; i < kJoints; ++i)
     EXPECT_NEAR(run.position(static_cast<Joint>(i)), startPose()[i], 0.02) << kJointTable[i].name;
   for (const Limit limit : {Limit::kPosition, Limit::kNotFinite, Limit::kSpeed, Limit::kTorque, Limit::kGain})

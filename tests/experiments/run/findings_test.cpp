@@ -24,7 +24,7 @@ constexpr double kTiny = 1e-9;   // rounding of summed steps
 std::vector<double> missing(const std::string& model) {
   const Experiment experiment = delivered("p_gain");
   VirtualRun run{experiment, model};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   std::vector<double> errors;
   for (const Round& round : experiment.rounds)
     errors.push_back(0.8 - angle(run.rowsOf(round.label + ", up").back(), Joint::kArmUpperR));
@@ -45,7 +45,7 @@ TEST(PGain, OnSpeedTheArmAlwaysArrives) {
 TEST(PGain, OnTorqueTheArmStopsShortAndLessSoWithMoreGain) {
   const Experiment experiment = delivered("p_gain");
   VirtualRun run{experiment, "twin"};
-  ASSERT_EQ(run.run(), Outcome::kDone);
+  ASSERT_EQ(run.run(), RunOutcome::kDone);
   double before = 1;
   for (const Round& round : experiment.rounds) {
     const auto rows = run.rowsOf(round.label + ", up");
@@ -63,7 +63,7 @@ TEST(PGain, OnTorqueTheArmStopsShortAndLessSoWithMoreGain) {
 std::vector<double> halfTurns(const std::string& model) {
   const Experiment experiment = delivered("speed");
   VirtualRun run{experiment, model};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   std::vector<double> seconds;
   for (const Round& round : experiment.rounds) {
     auto rows = run.rowsOf(round.label + ", right");
@@ -104,7 +104,7 @@ std::vector<double> release(const std::string& model) {
   Experiment experiment = delivered("damping");
   experiment.rounds.resize(1);
   VirtualRun run{experiment, model};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   std::vector<double> angles;
   for (const auto& row : run.rowsOf("release")) angles.push_back(angle(row, Joint::kShoulderR));
   return angles;
@@ -169,7 +169,7 @@ TEST(Damping, ViscousDampingAloneCannotMatchDryFriction) {
 /// The robot bows until it falls. Returns the ankle angle at the fall, rad.
 double bow(const std::string& name, const std::string& model) {
   VirtualRun run{delivered(name), model};
-  EXPECT_EQ(run.run(), Outcome::kDone) << "an expected fall is not a failure";
+  EXPECT_EQ(run.run(), RunOutcome::kDone) << "an expected fall is not a failure";
   const auto rows = run.rowsOf("bow"), lie = run.rowsOf("lie");
   EXPECT_LT(static_cast<double>(rows.size()) * kStep, 35) << "without a fall the phase takes 40 s";
   EXPECT_EQ(rows.front().seen.safety.worst, Fault::kNone) << "no fault until the fall";

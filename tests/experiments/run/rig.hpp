@@ -33,7 +33,7 @@ class VirtualRun {
   /// `robot`: "virtual", "twin" or "twin:MODEL".
   explicit VirtualRun(Experiment experiment, const std::string& robot = "virtual")
       : experiment_{std::move(experiment)} {
-    connect::Request request;
+    connect::ConnectRequest request;
     request.setting = robot;
     auto spy = std::make_unique<Spy>(connect::connect(request), *this);
     auto impl = std::make_unique<webots_api::RobotImpl>(std::move(spy), webots_api::ControllerConfig{}, api_stop_);
@@ -41,7 +41,7 @@ class VirtualRun {
     robot_ = std::make_unique<OwnRobot>(impl.release());
   }
 
-  Outcome run() {
+  RunOutcome run() {
     const auto forward = [this](const std::string& phase, double seconds) {
       phase_ = phase;
       if (on_step) on_step(phase, seconds);

@@ -30,7 +30,7 @@ TEST(Run, StopReturnsTheRobotSlowly) {
   run.on_step = [&](const std::string& name, double seconds) {
     run.stop = run.stop || (name == "turn" && seconds > 5);
   };
-  EXPECT_EQ(run.run(), Outcome::kStopped);
+  EXPECT_EQ(run.run(), RunOutcome::kStopped);
   EXPECT_LT(run.secondsOf(run.rowsOf("turn")), 1.1) << "not the whole minute";
   for (std::size_t i = 0; i < kJoints; ++i)
     EXPECT_NEAR(run.position(static_cast<Joint>(i)), startPose()[i], 0.02) << kJointTable[i].name;
@@ -40,7 +40,7 @@ TEST(Run, StopDuringSetupReturnsTheRobot) {
   const std::string standing = with(kNod, "pose = start\nduration = 1 s", "pose = standing\nduration = 4 s");
   VirtualRun run{parseExperiment(standing, "my.ini")};
   run.on_step = [&](const std::string&, double seconds) { run.stop = run.stop || seconds > 2; };
-  EXPECT_EQ(run.run(), Outcome::kStopped);
+  EXPECT_EQ(run.run(), RunOutcome::kStopped);
   EXPECT_TRUE(run.rowsOf("turn").empty());
   EXPECT_LT(fastestGoal(run), kSetupMost);
   EXPECT_NEAR(run.position(Joint::kLegLowerR), startPose()[index(Joint::kLegLowerR)], 0.02);
@@ -54,7 +54,7 @@ TEST(Run, FallDuringSetupSkipsAllPhases) {
         seen.board.accelerometer = {MeterPerSec2{0}, MeterPerSec2{-9.81}, MeterPerSec2{0}};
       };
   };
-  EXPECT_EQ(run.run(), Outcome::kFell);
+  EXPECT_EQ(run.run(), RunOutcome::kFell);
   EXPECT_TRUE(run.rowsOf("turn").empty());
 }
 
@@ -66,7 +66,7 @@ TEST(Run, FallEndsAPhaseWithUntilFallen) {
         seen.board.accelerometer = {MeterPerSec2{0}, MeterPerSec2{-9.81}, MeterPerSec2{0}};
       };
   };
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   EXPECT_NEAR(run.secondsOf(run.rowsOf("turn")), 0.25, 0.05) << "not the whole second";
 }
 
@@ -77,7 +77,7 @@ TEST(Run, EndsWithTheRobot) {
     if (name == "turn") run.end();
     if (name == "turn" && ++steps_after > 500) throw std::runtime_error("it goes on without a robot");
   };
-  EXPECT_EQ(run.run(), Outcome::kEnded);
+  EXPECT_EQ(run.run(), RunOutcome::kEnded);
   EXPECT_LE(steps_after, 1);
 }
 

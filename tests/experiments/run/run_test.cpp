@@ -20,7 +20,7 @@ double neckAngle(const VirtualRun::Row& row) {
 
 TEST(Run, SendsTheCommandsOfThePhase) {
   VirtualRun run{phase(kStep + "p_gain = 2\ntorque_limit = 1 N m\n")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const auto rows = run.rowsOf("turn");
   ASSERT_NEAR(run.secondsOf(rows), 1, 0.02) << "1 s, in steps of 16 ms";
   for (const auto& row : rows) {
@@ -33,7 +33,7 @@ TEST(Run, SendsTheCommandsOfThePhase) {
 
 TEST(Run, SettingsEndWithTheirPhase) {
   VirtualRun run{phase(kStep + "p_gain = 2\ntorque_limit = 1 N m\n")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const JointCommand& last = neck(run.rows.back());
   EXPECT_EQ(last.p_gain, 4);
   EXPECT_EQ(last.torque_limit.value, 2.5);
@@ -42,7 +42,7 @@ TEST(Run, SettingsEndWithTheirPhase) {
 
 TEST(Run, ArrivalEndsAPhaseEarly) {
   VirtualRun run{phase(kStep + "until = arrival\nwithin = 0.05 rad\n")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const auto rows = run.rowsOf("turn");
   EXPECT_NEAR(neckAngle(rows.back()), 0.5236, 0.05 + 1e-3);
   // 0.52 rad at 2 rad/s take 0.26 s, plus acceleration and the last degrees of a P controller.
@@ -51,7 +51,7 @@ TEST(Run, ArrivalEndsAPhaseEarly) {
 
 TEST(Run, TorqueLimitRisesOverThePhase) {
   VirtualRun run{phase(kStep + "torque_limit = 0 N m to 2 N m\n")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const auto rows = run.rowsOf("turn");
   EXPECT_NEAR(neck(rows[rows.size() / 2]).torque_limit.value, 1, 0.05) << "half way, within a step of 0.032 N m";
   EXPECT_NEAR(neck(rows.back()).torque_limit.value, 2, 0.05);
@@ -59,14 +59,14 @@ TEST(Run, TorqueLimitRisesOverThePhase) {
 
 TEST(Run, TorqueOffReleasesTheJoint) {
   VirtualRun run{phase("torque = off\n")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   for (const auto& row : run.rowsOf("turn")) EXPECT_FALSE(neck(row).torque_on);
   EXPECT_TRUE(neck(run.rows.back()).torque_on) << "enabled again afterwards";
 }
 
 TEST(Run, NegativeTorquePushesToHigherAnglesAsInWebots) {
   VirtualRun run{phase("torque = -0.5 N m\n")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const auto rows = run.rowsOf("turn");
   EXPECT_EQ(neck(rows.back()).torque_limit.value, 0.5);
   EXPECT_GT(neckAngle(rows.back()), neckAngle(rows.front()) + 0.3);
@@ -74,7 +74,7 @@ TEST(Run, NegativeTorquePushesToHigherAnglesAsInWebots) {
 
 TEST(Run, JointMovedByATorqueReturnsSlowly) {
   VirtualRun run{phase("torque = -0.5 N m\n")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const auto back = run.rowsOf(kReturnPhase);
   double fastest = 0;
   const std::size_t stopped = 20;  // 0.3 s to stop
@@ -89,7 +89,7 @@ TEST(Run, JointMovedSlightlyIsHeldInPlace) {
       with(with(kNod, kStep, "torque = -0.1 N m\n"), "duration = 1 s\n[record]", "duration = 0.3 s\n[record]") +
       "[phase then]\njoints = Neck\ngoal = hold\nduration = 1 s\n";
   VirtualRun run{parseExperiment(pushed, "my.ini")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const double there = neckAngle(run.rowsOf("turn").back());
   ASSERT_GT(there, 0.02) << "no motion";
   ASSERT_LT(there, 0.1) << "below the threshold for a restart";
@@ -101,7 +101,7 @@ TEST(Run, JointDoesNotJumpWhenItsTorqueLimitReturns) {
   const std::string weak = with(kNod, kStep, kStep + "torque_limit = 0.01 N m\n") +
                            "[phase then]\njoints = Neck\ngoal = move\nto = 0 rad\nduration = 2 s\n";
   VirtualRun run{parseExperiment(weak, "my.ini")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const auto before = run.rowsOf("turn");
   ASSERT_LT(neckAngle(before.back()), 0.3) << "must not arrive";
   EXPECT_NEAR(neck(run.rowsOf("then").front()).goal.value, neckAngle(before.back()), 0.02);
@@ -113,7 +113,7 @@ TEST(Run, AccelerationIsLimitedForThePhaseOnly) {
   run.on_step = [&](const std::string& name, double) {
     if (name == "turn") in_phase = run.motor("Neck").getAcceleration();
   };
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   EXPECT_EQ(in_phase, 5);
   EXPECT_EQ(run.motor("Neck").getAcceleration(), -1) << "default: no limit";
 }
@@ -122,7 +122,7 @@ TEST(Run, RobotSettlesBeforeTheFirstPhase) {
   const std::string settling =
       with(kNod, "pose = start\nduration = 1 s", "pose = start\nduration = 1 s\nsettle = 0.8 s");
   VirtualRun run{parseExperiment(settling, "my.ini")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   EXPECT_NEAR(run.secondsOf(run.rowsOf(kSetupPhase)), 1.8, 0.033) << "resolution of 16 ms at both ends";
 }
 
@@ -137,14 +137,14 @@ TEST(Run, UnexpectedFallEndsTheExperiment) {
       seen.board.accelerometer = {MeterPerSec2{0}, MeterPerSec2{-9.81}, MeterPerSec2{0}};
     };
   };
-  EXPECT_EQ(run.run(), Outcome::kFellIn);
+  EXPECT_EQ(run.run(), RunOutcome::kFellIn);
   EXPECT_NEAR(run.secondsOf(run.rowsOf("turn")), 0.25, 0.05) << "not the whole second";
   EXPECT_GT(last, fell_at + 0.5) << "returns to the start pose";
 }
 
 TEST(Run, MirroredJointMovesInTheOppositeDirection) {
   VirtualRun run{parseExperiment(with(kNod, "joints = Neck\ngoal", "joints = ShoulderR, -ShoulderL\ngoal"), "my.ini")};
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   const Commands asked = run.rowsOf("turn").back().asked;
   EXPECT_NEAR(asked.joint[index(Joint::kShoulderR)].goal.value, 0.5236, 1e-4);
   EXPECT_NEAR(asked.joint[index(Joint::kShoulderL)].goal.value, -0.5236, 1e-4);
@@ -156,7 +156,7 @@ TEST(Run, JointBeyondItsLimitIsHeldAtTheLimit) {
   run.on_step = [&](const std::string& name, double) {
     if (name == "turn") run.bend = [](Sensors& seen) { seen.joint[index(Joint::kNeck)].position = Rad{1.75}; };
   };
-  EXPECT_EQ(run.run(), Outcome::kDone);
+  EXPECT_EQ(run.run(), RunOutcome::kDone);
   EXPECT_NEAR(neck(run.rowsOf("then").front()).goal.value, run.motor("Neck").getMaxPosition(), 1e-9);
   EXPECT_LT(run.motor("Neck").getMaxPosition(), 1.7);
 }
@@ -165,7 +165,7 @@ TEST(Run, IsBitwiseRepeatable) {
   const Experiment experiment = phase("goal = multisine\namplitude = 0.5 rad\nfrequency = 0.5 Hz, 2 Hz\n");
   const auto rows_of_a_run = [&] {  // one after the other: a process has one robot
     VirtualRun run{experiment};
-    EXPECT_EQ(run.run(), Outcome::kDone);
+    EXPECT_EQ(run.run(), RunOutcome::kDone);
     return run.rows;
   };
   const auto one = rows_of_a_run(), two = rows_of_a_run();

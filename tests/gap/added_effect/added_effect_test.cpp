@@ -47,7 +47,7 @@ TEST(AddedEffect, IsListedByTheDataCheckWhereDataCannotShowIt) {
   Case bench = hiddenSpring().given;
   for (Trajectory& log : bench.logs) log.payload_kg = 0.3;
   const DataCheck check = checkData(bench);
-  const auto payloads = std::ranges::find(check.findings, "payloads", &Finding::id);
+  const auto payloads = std::ranges::find(check.findings, "payloads", &DataFinding::id);
   ASSERT_NE(payloads, check.findings.end());
   EXPECT_THAT(payloads->effects, Contains(kId));
 }

@@ -53,10 +53,10 @@ TEST(SoundFiles, AreReadInEveryFormat) {
     const SoundFile file = openSoundFile(encoded(folder, format, 22050));
     EXPECT_EQ(file.source->rate(), 22050);
     EXPECT_NEAR(file.seconds, 0.5, 0.11) << std::hex << format;
-    std::vector<Frame> frames(22050);
+    std::vector<AudioFrame> frames(22050);
     frames.resize(file.source->read(frames));
     std::vector<double> left, right;
-    for (const Frame& frame : frames) {
+    for (const AudioFrame& frame : frames) {
       left.push_back(frame.left);
       right.push_back(frame.right);
     }
@@ -83,7 +83,7 @@ TEST(SoundFiles, ThatAreInvalidAreNamedWithTheReason) {
 TEST(Voices, OfEveryDocumentedNameExist) {
   std::string errors;
   Speech speech{"", [&](const std::string& what) { errors += what; }};
-  std::vector<Frame> frames(512);
+  std::vector<AudioFrame> frames(512);
   for (const VoiceName& name : kVoiceNames) {
     const auto voice = speech.speak({.text = "1", .voice = std::string{name.said}});
     ASSERT_TRUE(voice);

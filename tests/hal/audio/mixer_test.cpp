@@ -18,7 +18,7 @@ class ToneSource : public SoundSource {
       : rate_{rate}, samples_{tone(hertz, seconds, amplitude, rate)} {}
 
   [[nodiscard]] int rate() const override { return rate_; }
-  std::size_t read(std::span<Frame> frames) override {
+  std::size_t read(std::span<AudioFrame> frames) override {
     std::size_t count = 0;
     for (; count < frames.size() && at_ < samples_.size() && !waits; ++count, ++at_) {
       const float value = static_cast<float>(samples_[at_]) / 32768.0F;

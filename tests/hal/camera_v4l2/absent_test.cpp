@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 
 CameraError errorWith(const std::string& path) {
   try {
-    const Device device{path};
+    const V4l2Device device{path};
   } catch (const CameraRefused& refused) {
     EXPECT_THAT(refused.what(), testing::HasSubstr(path));
     return refused.kind();

@@ -51,7 +51,7 @@ struct Notes final : Quirk {
 
 /// The virtual camera keeps written values for the lifetime of the process.
 void resetControls() {
-  const Device device{"/dev/video0"};
+  const V4l2Device device{"/dev/video0"};
   v4l2_control manual{V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL};  // exposure is writable in manual mode only
   ASSERT_EQ(request(device.fd(), VIDIOC_S_CTRL, manual), 0);
   for (const std::uint32_t id :

@@ -11,7 +11,7 @@ namespace {
 
 struct TakerTest : testing::Test {
   VirtualCamera camera;
-  Device device{"/dev/video0"};
+  V4l2Device device{"/dev/video0"};
   PictureShape shape = negotiate(device, kFallback, [](const std::string&) {});
   StreamBuffers buffers{device};
   TripleBuffer<Picture> pictures{blackPicture(shape.size, PictureForm::kBgra)};

@@ -40,7 +40,7 @@ struct Bus : ::testing::Test {
     return who;
   }
   void fault(hil::FaultKind kind, Nanos lasts, std::size_t joint = 0) {
-    hil::Fault fault;
+    hil::InjectedFault fault;
     fault.kind = kind;
     fault.at = release;
     fault.lasts = lasts;

@@ -31,14 +31,14 @@ class RawWindow {
  public:
   explicit RawWindow(const std::string& path) {
     const int file = ::open(path.c_str(), O_RDWR);
-    memory_ = ::mmap(nullptr, sizeof(Window), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    memory_ = ::mmap(nullptr, sizeof(SharedWindow), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     ::close(file);
   }
-  ~RawWindow() { ::munmap(memory_, sizeof(Window)); }
+  ~RawWindow() { ::munmap(memory_, sizeof(SharedWindow)); }
   RawWindow(const RawWindow&) = delete;
   RawWindow& operator=(const RawWindow&) = delete;
-  Window* operator->() { return static_cast<Window*>(memory_); }
-  Window& operator*() { return *static_cast<Window*>(memory_); }
+  SharedWindow* operator->() { return static_cast<SharedWindow*>(memory_); }
+  SharedWindow& operator*() { return *static_cast<SharedWindow*>(memory_); }
 
  private:
   void* memory_;
@@ -119,7 +119,7 @@ TEST_F(SharedPicture, IsThePreviousOneWhenTheWriterDiesInTheMiddle) {
 }
 
 /// Writes a slot as a Writer does, but always the same one, to overtake the reader.
-void overtake(Window& window, std::uint64_t sequence, const std::vector<std::uint8_t>& bytes) {
+void overtake(SharedWindow& window, std::uint64_t sequence, const std::vector<std::uint8_t>& bytes) {
   Slot& slot = window.slots[0];
   const std::uint32_t turn = slot.turn.exchange(slot.turn + 1, std::memory_order_acq_rel);
   slot.sequence = sequence;
@@ -203,20 +203,20 @@ TEST_F(SharedPicture, IsIgnoredWhenItsFileHasAnotherVersion) {
   makeWriter();
   RawWindow {
     files_.pictures
-    } -> layout = Window::kLayout + 1;
+    } -> layout = SharedWindow::kLayout + 1;
   for (int i = 0; i < 3; ++i) lookAgain();
   EXPECT_THAT(messages_, ElementsAre(HasSubstr(kOtherVersion)));
   EXPECT_FALSE(put(1)) << "no request either";
 
   RawWindow {
     files_.pictures
-    } -> layout = Window::kLayout;
-  std::filesystem::resize_file(files_.pictures, sizeof(Window) - 1);
+    } -> layout = SharedWindow::kLayout;
+  std::filesystem::resize_file(files_.pictures, sizeof(SharedWindow) - 1);
   reader_.reset();
   lookAgain();
   EXPECT_THAT(messages_.back(), HasSubstr(kOtherVersion));
   EXPECT_EQ(messages_.size(), 2u);
-  std::filesystem::resize_file(files_.pictures, sizeof(Window));
+  std::filesystem::resize_file(files_.pictures, sizeof(SharedWindow));
   lookAgain();
   EXPECT_TRUE(put(2)) << "valid again";
 }

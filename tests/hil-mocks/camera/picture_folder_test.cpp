@@ -53,7 +53,7 @@ TEST(PictureFolder, ShowsEachPictureForItsFramesInNameOrderAndRepeats) {
   write(folder / "notes.txt", "not a picture");
   const PictureFolder pictures{folder / ".", 2};
   ASSERT_EQ(pictures.count(), 2u);
-  Picture shown{4, 2};
+  PaintedPicture shown{4, 2};
   for (const auto& [frame, colour] : {std::pair{0u, kRed}, {1u, kRed}, {2u, kBlue}, {3u, kBlue}, {4u, kRed}}) {
     pictures.draw(shown, frame);
     EXPECT_EQ(shown.colour(0, 0), colour) << frame;
@@ -64,7 +64,7 @@ TEST(PictureFolder, ShowsEachPictureForItsFramesInNameOrderAndRepeats) {
 TEST(PictureFolder, ScalesByTheNearestPixel) {
   const TemporaryFolder folder;
   write(folder / "a.ppm", "P6 2 1 255\n" + pixels({kRed, kBlue}));
-  Picture shown{6, 2};
+  PaintedPicture shown{6, 2};
   PictureFolder{folder / ".", 1}.draw(shown, 0);
   for (int x = 0; x < 6; ++x) EXPECT_EQ(shown.colour(x, 1), x < 3 ? kRed : kBlue) << x;
 }
@@ -72,7 +72,7 @@ TEST(PictureFolder, ScalesByTheNearestPixel) {
 TEST(PictureFolder, ReadsPng) {
   const TemporaryFolder folder;
   write(folder / "a.png", std::string{reinterpret_cast<const char*>(kPng), sizeof kPng});
-  Picture shown{2, 2};
+  PaintedPicture shown{2, 2};
   PictureFolder{folder / ".", 1}.draw(shown, 0);
   EXPECT_EQ(shown.colour(1, 1), (Colour{1, 2, 3}));
 }

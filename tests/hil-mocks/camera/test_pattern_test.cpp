@@ -7,7 +7,7 @@ namespace darwinop::hil {
 namespace {
 
 /// Centre of the red pixels.
-Ball seen(const Picture& picture) {
+PaintedBall seen(const PaintedPicture& picture) {
   double x_sum = 0, y_sum = 0, count = 0;
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
@@ -22,9 +22,9 @@ Ball seen(const Picture& picture) {
 TEST(TestPattern, TheBallIsAtTheComputedPosition) {
   for (const auto& [width, height] : {std::pair{320, 240}, {800, 600}, {640, 360}})
     for (const double seconds : {0.0, 0.7, 2.0, 3.9, 100.3}) {
-      Picture picture{width, height};
+      PaintedPicture picture{width, height};
       drawBall(picture, seconds);
-      const Ball ball = ballAt(width, height, seconds), found = seen(picture);
+      const PaintedBall ball = ballAt(width, height, seconds), found = seen(picture);
       EXPECT_NEAR(found.x, ball.x, 0.2) << width << ' ' << seconds;
       EXPECT_NEAR(found.y, ball.y, 0.2) << width << ' ' << seconds;
       EXPECT_NEAR(found.radius, 3.14159 * ball.radius * ball.radius, 0.03 * found.radius);
@@ -40,7 +40,7 @@ TEST(TestPattern, TheBallStartsAtTheRightAndMovesDown) {
 }
 
 TEST(TestPattern, BarsAreOrderedFromLeftToRight) {
-  Picture picture{640, 480};
+  PaintedPicture picture{640, 480};
   drawBars(picture, 0);
   for (int bar = 0; bar < 8; ++bar) {
     EXPECT_EQ(picture.colour(80 * bar, 0), kBars[bar]);
@@ -50,7 +50,7 @@ TEST(TestPattern, BarsAreOrderedFromLeftToRight) {
 }
 
 TEST(TestPattern, TheFrameNumberCanBeDecoded) {
-  Picture small{320, 240}, large{800, 600};
+  PaintedPicture small{320, 240}, large{800, 600};
   for (const std::uint32_t number : {0u, 1u, 2u, 0x1234u, 0xFFFFu, 0x8000u}) {
     drawBars(small, number);
     drawBars(large, number);

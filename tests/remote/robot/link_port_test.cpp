@@ -178,7 +178,7 @@ TEST(RemoteLinkPort, AppliesStartWhereItIsAndEndOfSessionOfTheExtension) {
 }
 
 TEST(RemoteLinkPort, DrivesAVirtualRobot) {
-  connect::Request virtual_robot;
+  connect::ConnectRequest virtual_robot;
   virtual_robot.setting = "virtual";
   LinkPort port{LinkPort::Home::kEmbedded, [&] { return connect::connect(virtual_robot); }, true};
   port.startSession(SessionStart::kNew);

@@ -20,7 +20,7 @@ constexpr int kWidth = 320, kHeight = 240;
 constexpr double kHalfAngle = 1.0123 / 2;  // horizontal, of the robot's camera
 constexpr double kPixels = 3;  // the projection of a ball is an ellipse: its centre is off by up to 2 pixels
 
-Spot redSpot(const Picture& p) {
+Spot redSpot(const RenderedPicture& p) {
   return centreOf(p, [&](int x, int y) { return red(p, x, y) > 60 && red(p, x, y) > 2 * green(p, x, y); });
 }
 
@@ -142,7 +142,7 @@ TEST_F(HeadCameraTest, WithoutOpenGlTheTestPatternContainsTheReason) {
   EXPECT_FALSE(camera.health().seeing) << "a test pattern must not be used by controllers";
 
   EXPECT_EQ(frame.sequence, 1U);
-  const Picture& p = camera.picture();
+  const RenderedPicture& p = camera.picture();
   EXPECT_EQ((std::array{red(p, 60, 10), green(p, 60, 10), blue(p, 60, 10)}), (std::array{255, 255, 0}));
   EXPECT_EQ((std::array{red(p, 260, 10), green(p, 260, 10), blue(p, 260, 10)}), (std::array{0, 0, 255}));
 }

@@ -21,7 +21,7 @@ constexpr int kColumns = 160, kRows = 120;
 
 /// Pixels of the robot: difference to a picture without it, rendered without shadows.
 struct Silhouette {
-  Picture with, without;
+  RenderedPicture with, without;
 
   Silhouette(Offscreen& offscreen, RobotBody& body, Viewpoint from) {
     Pose pose = poseOf(body);
@@ -90,15 +90,15 @@ TEST_F(Drawing, FollowsTheRobot) {
 
 TEST_F(Drawing, OfTheSamePoseIsTheSame) {
   offscreen_.scene().show(poseOf(body_));
-  const Picture first = offscreen_.draw();
+  const RenderedPicture first = offscreen_.draw();
   EXPECT_EQ(first.rgb, offscreen_.draw().rgb);
 }
 
-TEST(Picture, GoesIntoAPngAndBack) {
+TEST(RenderedPicture, GoesIntoAPngAndBack) {
   const TemporaryFolder folder;
-  Picture picture = testPattern(33, 17, "why");
+  RenderedPicture picture = testPattern(33, 17, "why");
   writePng(folder / "p.png", picture);
-  const Picture read = readPng(folder / "p.png");
+  const RenderedPicture read = readPng(folder / "p.png");
   EXPECT_EQ(read.width, 33);
   EXPECT_EQ(read.height, 17);
   EXPECT_EQ(read.rgb, picture.rgb);
@@ -111,7 +111,7 @@ TEST(Picture, GoesIntoAPngAndBack) {
 }
 
 TEST(Lettering, BreaksLinesAtSpacesAndStaysInThePicture) {
-  Picture picture{26, 16};  // four letters per line
+  RenderedPicture picture{26, 16};  // four letters per line
   std::ranges::fill(picture.rgb, std::uint8_t{128});
   write(picture, 1, 0, 25, 1, "II II");
   const auto black = [&](int x, int y) { return red(picture, x, y) == 0 && x > 0; };

@@ -14,13 +14,13 @@ inline RobotBody usualBody() {
   return RobotBody{readModel(findModel("darwin-op"))};
 }
 
-inline int red(const Picture& p, int x, int y) {
+inline int red(const RenderedPicture& p, int x, int y) {
   return p.at(x, y)[0];
 }
-inline int green(const Picture& p, int x, int y) {
+inline int green(const RenderedPicture& p, int x, int y) {
   return p.at(x, y)[1];
 }
-inline int blue(const Picture& p, int x, int y) {
+inline int blue(const RenderedPicture& p, int x, int y) {
   return p.at(x, y)[2];
 }
 
@@ -31,7 +31,7 @@ struct Spot {
 
 /// Centroid of all pixels for which `is` returns true.
 template <class Is>
-Spot centreOf(const Picture& p, Is&& is) {
+Spot centreOf(const RenderedPicture& p, Is&& is) {
   Spot spot;
   for (int y = 0; y < p.height; ++y)
     for (int x = 0; x < p.width; ++x)

@@ -75,7 +75,7 @@ TEST_F(View, ExplainsAWrongArgument) {
   EXPECT_THAT(shell(kTwin + " picture robot.jpg").said, HasSubstr(".png"));
 }
 
-std::size_t colours(const Picture& p) {
+std::size_t colours(const RenderedPicture& p) {
   std::set<std::array<std::uint8_t, 3>> seen;
   for (int y = 0; y < p.height; ++y)
     for (int x = 0; x < p.width; ++x) seen.insert({p.at(x, y)[0], p.at(x, y)[1], p.at(x, y)[2]});

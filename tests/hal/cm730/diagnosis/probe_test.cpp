@@ -227,7 +227,7 @@ TEST(Probe, TwentySilentServosAreOneRowAndCostLessThanASecond) {
 TEST(Probe, AStallOfTheComputerMakesNoServoSilent) {
   for (Nanos at = 5ms; at < 100ms; at += 3ms) {
     ProbeBench bench;
-    hil::Fault stall;
+    hil::InjectedFault stall;
     stall.kind = hil::FaultKind::kStall;
     stall.at = at;
     stall.lasts = 25ms;
@@ -272,8 +272,8 @@ TEST(Probe, AFastAdapterPasses) {
   EXPECT_LT(report.facts.took, 1s);
 }
 
-hil::Fault losing(double chance) {
-  hil::Fault fault;
+hil::InjectedFault losing(double chance) {
+  hil::InjectedFault fault;
   fault.kind = hil::FaultKind::kDrop;
   fault.amount = 1;
   fault.chance = chance;
@@ -321,7 +321,7 @@ TEST(Probe, HeatAndALowBatteryAreReported) {
 
 TEST(Probe, ReportsAMissingBoard) {
   ProbeBench bench;
-  hil::Fault stall;
+  hil::InjectedFault stall;
   stall.kind = hil::FaultKind::kStall;
   bench.robot.faults().add(stall);
   const ProbeReport report = bench.probe();
@@ -332,7 +332,7 @@ TEST(Probe, ReportsAMissingBoard) {
 
 TEST(Probe, EndsAtOnceWhenThePortIsLost) {
   ProbeBench bench;
-  hil::Fault unplug;
+  hil::InjectedFault unplug;
   unplug.kind = hil::FaultKind::kUnplug;
   unplug.at = 10ms;
   bench.robot.faults().add(unplug);

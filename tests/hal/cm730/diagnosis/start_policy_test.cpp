@@ -141,7 +141,7 @@ TEST_F(Instructions, ANoisyLineIsNotReportedAsAnotherFirmware) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     robot = std::make_unique<hil::VirtualRobot>(powered(), seed);
     line = std::make_unique<hil::MemoryLine>(*robot);
-    hil::Fault noise;
+    hil::InjectedFault noise;
     noise.kind = hil::FaultKind::kDrop;
     noise.amount = 1;
     noise.chance = 0.02;
