@@ -16,8 +16,12 @@ build() {
   await_ahead "$preset"
   say "building preset $preset ${*:+($*)}"
   options=(--preset "$preset" "${launcher[@]}" -DDARWINOP_WINDOW="${DARWINOP_WINDOW:-AUTO}")
-  configure "$folder" "${options[@]}" || die "cmake could not configure preset $preset"
-  ninja -C "$folder" "${quiet[@]}" "$@"
+  mkdir -p "$folder"
+  (
+    flock 9  # a stage in the background may use the same folder
+    configure "$folder" "${options[@]}" || die "cmake could not configure preset $preset"
+    ninja -C "$folder" "${quiet[@]}" "$@"
+  ) 9>"$folder/lock"
 }
 
 # Runs cmake unless it has run with the same options, presets and commit: ninja itself sees everything else.
@@ -35,7 +39,7 @@ configure() { # FOLDER OPTION...
   echo "$wanted" >"$folder/configured"
 }
 
-# await_ahead PRESET: waits until the background process of tools/test/run.sh has built it, at full speed meanwhile.
+# await_ahead PRESET: waits until the background process (tools/test/background.sh) has built it, at full speed meanwhile.
 await_ahead() {
   # Not in that process itself.
   [ -e "build/ahead/$1" ] && [ "${DARWINOP_AHEAD:-$BASHPID}" != "$BASHPID" ] || return 0

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Links, commands and tables of the documentation; the tests that the hazard table names.
+# computes only
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Every order of every fault, in a model with the tables of the program (docs/proven.md).
+# computes only
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh

@@ -4,6 +4,7 @@
 # Changed is what differs from the merge base with origin/main. On main itself: what the last commits changed, at most 20 of
 # them and at most 40 files, whichever comes first. DARWINOP_TIDY_BASE=COMMIT says it otherwise.
 # builds: asan-ubsan all fuzzers
+# computes only
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
