@@ -7,4 +7,4 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 no_aslr
 builds
-run_tests asan -j "$most_waiting"
+run_tests asan -j "$places"

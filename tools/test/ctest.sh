@@ -13,9 +13,9 @@ no_aslr() {
   if [ -z "${DARWINOP_NO_ASLR:-}" ] && setarch -R true 2>/dev/null; then DARWINOP_NO_ASLR=1 exec setarch -R "$0"; fi
 }
 
-# Tests at a time where most of them wait: for a robot in real time, or for ssh, which may take its time.
-most_waiting=$((2 * $(nproc)))
-most_patient=$((3 * $(nproc)))
+# Places for tests: one that waits, for a robot in real time or for ssh, takes one; one that computes takes three in the
+# presets with DARWINOP_WHOLE_PROGRAMS (tests/CMakeLists.txt), and so no more of those run at once than there are processors.
+places=$((3 * $(nproc)))
 
 # run_tests PRESET [ARGUMENT...]: runs a test preset, started through the program $under, if set. Prints the output of what
 # failed and the commands that repeat it. CTest's summary also goes to build/PRESET.summary.

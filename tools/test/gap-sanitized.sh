@@ -7,4 +7,4 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 no_aslr
 builds
-run_tests asan-gap -j "$(nproc)"
+run_tests asan-gap -j "$places"

@@ -6,4 +6,4 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
 
 builds
-run_tests i686-native -j "$(nproc)"
+run_tests i686-native -j "$places"

@@ -7,4 +7,4 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 builds
 build_robot
-run_tests install -j "$most_patient"
+run_tests install -j "$places"
