@@ -5,8 +5,8 @@
 #include <exception>
 #include <string>
 
-#include "connect/connect.hpp"
 #include "connect/robot_file.hpp"
+#include "connect/serial_bus.hpp"
 #include "connect/start_pose_findings.hpp"
 #include "hal/cm730/diagnosis/host_checks.hpp"
 #include "hal/cm730/diagnosis/port_check.hpp"

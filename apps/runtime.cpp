@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "connect/connect.hpp"
 #include "connect/controller_user.hpp"
 #include "connect/robot_file.hpp"
+#include "connect/serial_bus.hpp"
 #include "connect/wait_for_bus.hpp"
 #include "hal/diagnostics.hpp"
 #include "hal/signals.hpp"

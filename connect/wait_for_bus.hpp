@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "connect/connect.hpp"
+#include "connect/serial_bus.hpp"
 
 namespace darwinop::connect {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "connect/connect.hpp"
+#include "connect/serial_bus.hpp"
 #include "hal/byte_line.hpp"
 #include "hal/cm730/usb_serial.hpp"
 #include "runtime/names.hpp"

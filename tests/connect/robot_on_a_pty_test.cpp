@@ -9,6 +9,7 @@
 
 #include "connect/connect.hpp"
 #include "connect/robot_file.hpp"
+#include "connect/serial_bus.hpp"
 #include "core/conversions.hpp"
 #include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/serial_port.hpp"
