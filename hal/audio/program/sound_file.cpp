@@ -4,7 +4,9 @@
 #include <sndfile.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -17,6 +19,10 @@ namespace {
 
 constexpr int kMostChannels = 8;
 constexpr int kLowestRate = 1000, kHighestRate = 384'000;  // Hz
+
+float audible(float sample) {
+  return std::isnan(sample) ? 0.0F : std::clamp(sample, -kLoudestSample, kLoudestSample);
+}
 
 struct CloseSoundFile {
   void operator()(SNDFILE* file) const { sf_close(file); }
@@ -37,7 +43,7 @@ class OpenSoundFile final : public SoundSource {
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       const float* const frame = samples_.data() + i * channels;
-      frames[i] = {frame[0], frame[channels > 1 ? 1 : 0]};  // more than two channels: the first two
+      frames[i] = {audible(frame[0]), audible(frame[channels > 1 ? 1 : 0])};  // of more than two channels the first two
     }
     return static_cast<std::size_t>(count);
   }

@@ -12,6 +12,10 @@ namespace darwinop::audio {
 inline constexpr const char* kCannotReadSoundFile = "cannot read sound file ";
 inline constexpr const char* kCannotPlaySoundFile = "cannot play sound file ";
 
+/// A file of floating-point samples can exceed full scale: up to 18 dB are kept, for sounds played at low volume. A
+/// sample that is not a number is silence: one NaN or infinity would mute every other sound of the mix.
+inline constexpr float kLoudestSample = 8;
+
 struct SoundFile {
   std::unique_ptr<SoundSource> source;
   double seconds;  // NaN: unknown

@@ -5,7 +5,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <limits>
+#include <vector>
 
+#include "hal/audio/mixer.hpp"
 #include "hal/audio/program/sound_file.hpp"
 #include "hal/audio/program/speech.hpp"
 #include "hal/audio/voice_names.hpp"
@@ -17,6 +20,18 @@ namespace {
 
 using testing::IsEmpty;
 using testing::StartsWith;
+
+/// Stereo floating-point samples, as they are.
+std::string rawWave(const std::string& name, const std::vector<float>& samples) {
+  SF_INFO info{};
+  info.samplerate = kMixRate;
+  info.channels = 2;
+  info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
+  SNDFILE* const file = sf_open(name.c_str(), SFM_WRITE, &info);
+  sf_write_float(file, samples.data(), static_cast<sf_count_t>(samples.size()));
+  sf_close(file);
+  return name;
+}
 
 /// 0.5 s of 441 Hz on the left and 882 Hz on the right.
 std::string encoded(const TemporaryFolder& folder, int format, int rate) {
@@ -67,6 +82,31 @@ TEST(SoundFiles, AreReadInEveryFormat) {
     EXPECT_TRUE(file.source->rewind());
     EXPECT_GT(file.source->read(frames), 10000U) << std::hex << format;
   }
+}
+
+TEST(SoundFiles, HaveOnlyFiniteSamplesWhateverTheyStore) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+  const TemporaryFolder folder;
+  const SoundFile file = openSoundFile(rawWave(folder / "sound", {kNan, 1.5F, kInfinity, -kInfinity, -1e38F, 1e-45F}));
+  std::vector<Frame> frames(8);
+  ASSERT_EQ(file.source->read(frames), 3U);
+  EXPECT_EQ(frames[0].left, 0);
+  EXPECT_EQ(frames[0].right, 1.5F);
+  EXPECT_EQ(frames[1].left, kLoudestSample);
+  EXPECT_EQ(frames[1].right, -kLoudestSample);
+  EXPECT_EQ(frames[2].left, -kLoudestSample);
+  EXPECT_NEAR(frames[2].right, 0, 1e-6);
+}
+
+TEST(SoundFiles, ThatStoreNoNumbersLeaveOtherSoundsAudible) {
+  const TemporaryFolder folder;
+  Mixer mixer;
+  const std::vector<float> nothing(2000, std::numeric_limits<float>::quiet_NaN()), half(2000, 0.5F);
+  ASSERT_TRUE(mixer.play({.id = 1}, openSoundFile(rawWave(folder / "nothing", nothing)).source));
+  ASSERT_TRUE(mixer.play({.id = 2}, openSoundFile(rawWave(folder / "half", half)).source));
+  std::vector<Sample> mixed(500);
+  mixer.mix(mixed);
+  for (const Sample& sample : mixed) ASSERT_NEAR(sample.left, 0.5 * 32767, 1);
 }
 
 TEST(SoundFiles, ThatAreInvalidAreNamedWithTheReason) {
