@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "webots/key_queue.hpp"
+#include "webots/messages.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/sampling_grid.hpp"
@@ -31,20 +32,33 @@ static_assert(same(Keyboard::END, darwinop::kKeyEnd) && same(Keyboard::HOME, dar
               same(Keyboard::ALT, darwinop::kKeyAlt));
 }  // namespace
 
-Keyboard::Keyboard(darwinop::webots_api::RobotImpl& robot) : robot_(robot), period_(0), due_s_(-1), queue_(nullptr) {}
+Keyboard::Keyboard(darwinop::webots_api::RobotImpl& robot) : robot_(&robot), period_(0), due_s_(-1), queue_(nullptr) {}
+
+Keyboard::Keyboard() : robot_(nullptr), period_(0), due_s_(-1), queue_(nullptr) {}
+
+/// The keyboard of the robot, if this object is not it; null: there is no robot.
+Keyboard* Keyboard::ofRobot() const {
+  darwinop::webots_api::RobotImpl* const robot = darwinop::webots_api::currentRobot();
+  if (robot == nullptr) darwinop::webots_api::warnOnce(darwinop::webots_api::messages::kKeyboardWithoutRobot);
+  return robot != nullptr ? &robot->keyboard() : nullptr;
+}
 
 Keyboard::~Keyboard() {
   delete queue_;
 }
 
 void Keyboard::enable(int sampling_period) {
+  if (robot_ == nullptr) {
+    if (Keyboard* const keyboard = ofRobot()) keyboard->enable(sampling_period);
+    return;
+  }
   if (sampling_period <= 0) return disable();
   period_ = sampling_period;
   due_s_ = -1;
   if (queue_ != nullptr) return;
   std::unique_ptr<darwinop::KeySource> source;
   try {
-    source = robot_.openKeys();
+    source = robot_->openKeys();
   } catch (const std::exception& error) {
     darwinop::webots_api::warnOnce(std::string{"Keyboard: no key is ever pressed: "} + error.what());
   }
@@ -52,6 +66,10 @@ void Keyboard::enable(int sampling_period) {
 }
 
 void Keyboard::disable() {
+  if (robot_ == nullptr) {
+    if (Keyboard* const keyboard = ofRobot()) keyboard->disable();
+    return;
+  }
   period_ = 0;
   delete std::exchange(queue_, nullptr);
 }
@@ -60,7 +78,17 @@ void Keyboard::refresh(double time_s) {
   if (queue_ != nullptr && darwinop::webots_api::isDue(due_s_, time_s, period_)) queue_->refresh();
 }
 
+int Keyboard::getSamplingPeriod() const {
+  if (robot_ != nullptr) return period_;
+  const Keyboard* const keyboard = ofRobot();
+  return keyboard != nullptr ? keyboard->period_ : 0;
+}
+
 int Keyboard::getKey() const {
+  if (robot_ == nullptr) {
+    const Keyboard* const keyboard = ofRobot();
+    return keyboard != nullptr ? keyboard->getKey() : -1;
+  }
   return queue_ != nullptr ? queue_->next() : -1;
 }
 

@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "webots/messages.hpp"
+
 namespace darwinop::webots_api {
 
 namespace {
@@ -32,6 +34,10 @@ void warnOnce(std::string_view sentence) {
     if (!logged().sentences.emplace(sentence).second) return;
   }
   logLine(sentence);
+}
+
+void warnNoDevice(std::string_view call, const std::string& name) {
+  warnOnce("Robot::" + std::string{call} + "(\"" + name + "\")" + messages::kNoSuchDevice);
 }
 
 void forgetWarnings() {

@@ -26,8 +26,7 @@ Robot* instance = nullptr;
 template <class T>
 T* deviceAs(const webots_api::RobotImpl& robot, const std::string& name, const char* call) {
   auto* const device = dynamic_cast<T*>(robot.find(name));
-  if (!device)
-    warnOnce("Robot::" + std::string{call} + "(\"" + name + "\"): this robot has no such device; it returns NULL");
+  if (!device) webots_api::warnNoDevice(call, name);
   return device;
 }
 }  // namespace
@@ -202,6 +201,11 @@ const char* Robot::wwiReceive(int* size) {
 std::string Robot::wwiReceiveText() {
   warnOnce("Robot::wwiReceiveText() returns an empty text: there is no robot window yet");
   return {};
+}
+
+void* Robot::windowCustomFunction(void*) {
+  warnOnce("Robot::windowCustomFunction() returns NULL: there is no robot window yet");
+  return nullptr;
 }
 
 }  // namespace webots

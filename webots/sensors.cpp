@@ -6,6 +6,8 @@
 #include "webots/Node.hpp"
 #include "webots/PositionSensor.hpp"
 #include "webots/TouchSensor.hpp"
+#include "webots/messages.hpp"
+#include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace webots {
@@ -102,6 +104,11 @@ void TouchSensor::enable(int sampling_period) {
 }
 void TouchSensor::disable() {
   period_ = 0;
+}
+
+const double* TouchSensor::getValues() const {
+  webots_api::warnOnce(webots_api::messages::kNoThreeAxes);
+  return nullptr;
 }
 
 double TouchSensor::getValue() const {

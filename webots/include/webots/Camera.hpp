@@ -12,6 +12,19 @@ class CameraView;
 
 namespace webots {
 
+/// One object of Camera::getRecognitionObjects(), as in simulation.
+struct CameraRecognitionObject {
+  int id;
+  double position[3];        // from the camera, m
+  double orientation[4];     // axis and angle, rad
+  double size[2];            // width and height, m
+  int position_on_image[2];  // centre, pixels
+  int size_on_image[2];      // width and height, pixels
+  int number_of_colors;
+  double* colors;  // red, green, blue of each colour, 0 to 1
+  char* model;
+};
+
 ///     camera->enable(32);                              // ms
 ///     while (robot.step(16) != -1) {
 ///       const unsigned char* image = camera->getImage();
@@ -51,31 +64,53 @@ class Camera : public Device {
   double getMinFov() const { return getFov(); }
   /// Same as getFov(); rad.
   double getMaxFov() const { return getFov(); }
-  /// No effect, with one warning; rad.
+  /// Absent here: no effect, with one warning; rad.
   virtual void setFov(double fov);
   /// 0 m.
   double getNear() const { return 0; }
-  /// NaN, with one warning: not available. Simulator: J/m2.
+  /// Absent here: NaN, with one warning. Simulator: J/m2.
   double getExposure() const;
-  /// No effect, with one warning; set the exposure in config.ini, in 100 us.
+  /// Absent here: no effect, with one warning; set the exposure in config.ini, in 100 us.
   virtual void setExposure(double exposure);
-  /// 0 m, with one warning: not known.
+  /// Absent here: 0 m, with one warning; not known.
   double getFocalLength() const;
-  /// 0 m, with one warning: the focus is fixed.
+  /// Absent here: 0 m, with one warning; the focus is fixed.
   double getFocalDistance() const;
   /// 0 m.
   double getMaxFocalDistance() const;
   /// 0 m.
   double getMinFocalDistance() const;
-  /// No effect, with one warning; m.
+  /// Absent here: no effect, with one warning; m.
   virtual void setFocalDistance(double focal_distance);
-  /// Writes no file in this version and returns -1, with one warning; `quality` 1 to 100 is ignored.
+  /// Absent here: writes no file and returns -1, with one warning; `quality` 1 to 100 is ignored.
   int saveImage(const std::string& filename, int quality) const;
 
-  /// False: object recognition exists in the simulator only. The calls behind it do not compile here.
+  // Recognition of objects exists in the simulator only; DARwInOPVisionManager finds a ball by its colour.
+
+  /// Absent here: false.
   bool hasRecognition() const { return false; }
-  /// False, as hasRecognition().
+  /// Absent here: no effect, with one warning; ms.
+  virtual void recognitionEnable(int sampling_period);
+  /// Absent here: no effect.
+  virtual void recognitionDisable() {}
+  /// Absent here: 0 ms, disabled.
+  int getRecognitionSamplingPeriod() const { return 0; }
+  /// Absent here: 0. Number of getRecognitionObjects().
+  int getRecognitionNumberOfObjects() const { return 0; }
+  /// Absent here: NULL.
+  const CameraRecognitionObject* getRecognitionObjects() const { return 0; }
+  /// Absent here: false.
   bool hasRecognitionSegmentation() const { return false; }
+  /// Absent here: no effect, with one warning.
+  void enableRecognitionSegmentation();
+  /// Absent here: no effect.
+  void disableRecognitionSegmentation() {}
+  /// Absent here: false.
+  bool isRecognitionSegmentationEnabled() const { return false; }
+  /// Absent here: NULL. Simulator: BGRA, as getImage().
+  const unsigned char* getRecognitionSegmentationImage() const { return 0; }
+  /// Absent here: writes no file and returns -1, with one warning; `quality` 1 to 100 is ignored.
+  int saveRecognitionSegmentationImage(const std::string& filename, int quality) const;
 
   /// Whether the robot's camera has this size in pixels; docs/camera.md lists the sizes.
   static bool checkResolution(int width, int height);

@@ -41,6 +41,9 @@ class Keyboard {
     ALT = 0x00040000
   };
 
+  /// The keyboard of the robot of this process: all calls act on Robot::getKeyboard(). Without a robot they have no
+  /// effect, with one warning. 2013: no such class.
+  Keyboard();
   virtual ~Keyboard();
   /// Opens a small window, or without a display uses the controller's terminal (DARWINOP_KEYS: window, terminal, none).
   /// Keys are sampled every `sampling_period` ms at the end of a step. 0 or less: disable(). Without window and
@@ -49,7 +52,7 @@ class Keyboard {
   /// Closes the window, or restores the terminal.
   virtual void disable();
   /// ms as set last; 0: disabled.
-  int getSamplingPeriod() const { return period_; }
+  int getSamplingPeriod() const;
   /// The next key of the newest sample: each key that was down then, or was pressed since the sample before, once, as a
   /// code with modifier bits. -1: no more keys. All keys are up when the window loses the focus (2013: they stayed
   /// down).
@@ -61,7 +64,8 @@ class Keyboard {
   Keyboard(const Keyboard&);
   Keyboard& operator=(const Keyboard&);
   void refresh(double time_s);
-  darwinop::webots_api::RobotImpl& robot_;
+  Keyboard* ofRobot() const;
+  darwinop::webots_api::RobotImpl* robot_;  // NULL: made by a controller
   int period_;
   double due_s_;
   darwinop::webots_api::KeyQueue* queue_;  // NULL: disabled

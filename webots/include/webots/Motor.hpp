@@ -7,9 +7,11 @@
 #include <webots/Device.hpp>
 #include <webots/Robot.hpp>
 
-namespace darwinop::goals {
+namespace darwinop {
+namespace goals {
 class MotorControl;
 }
+}  // namespace darwinop
 
 namespace webots {
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <vector>
+#include <webots/absent_devices.hpp>
 
 namespace darwinop {
 namespace webots_api {
@@ -23,13 +24,18 @@ class Accelerometer;
 class Camera;
 class Device;
 class Gyro;
+class Joystick;
 class Keyboard;
 class LED;
 class Motor;
+class Mouse;
 class PositionSensor;
 class Servo;
 class Speaker;
 class TouchSensor;
+#define DARWINOP_CLASS(CLASS) class CLASS;
+DARWINOP_ABSENT_DEVICES(DARWINOP_CLASS)
+#undef DARWINOP_CLASS
 
 /// Create one object, or one of a derived class; a second one in the same process ends the program.
 ///
@@ -160,7 +166,19 @@ class Robot {
   Speaker* getSpeaker(const std::string& name) const;
   /// "ButtonMode" and "ButtonStart". Neither the simulator's model nor 2013 has them.
   TouchSensor* getTouchSensor(const std::string& name) const;
-  /// Any device by name, except the keyboard.
+  /// Absent here: never NULL, but not connected, with one warning.
+  Joystick* getJoystick() const;
+  /// Absent here: never NULL, but outside of the window, with one warning.
+  Mouse* getMouse() const;
+
+  // Devices of the simulator that this robot does not have: getAltimeter(name), getBrake(name) and so on for each row
+  // of absent_devices.hpp. Absent here: NULL, and one warning for each name, as in simulation on a robot without the
+  // device.
+#define DARWINOP_GETTER(CLASS) CLASS* get##CLASS(const std::string& name) const;
+  DARWINOP_ABSENT_DEVICES(DARWINOP_GETTER)
+#undef DARWINOP_GETTER
+
+  /// Any device by name, except keyboard, joystick and mouse.
   Device* getDevice(const std::string& name) const;
   /// Number of devices that getDeviceByIndex() returns; the keyboard is not one of them.
   int getNumberOfDevices() const;
@@ -199,26 +217,32 @@ class Robot {
 
   // Of the simulator only: without effect here; calls that would do something there log one warning.
 
-  /// Empty: a robot has no world file.
+  /// Absent here: empty; a robot has no world file.
   std::string getWorldPath() const;
-  /// Empty in this version.
+  /// Absent here: empty in this version.
   std::string getUrdf(std::string prefix = "") const;
-  /// False: a robot has no supervisor API.
-  bool getSupervisor() const { return false; }
-  /// False: a robot does not wait for its controller.
-  bool getSynchronization() const { return false; }
-  /// No effect; DARWINOP_ROBOT selects the robot when the program starts.
+  /// Absent here: false; a robot has no scene tree (Supervisor.hpp).
+  bool getSupervisor() const {
+    return false;
+  }
+  /// Absent here: false; a robot does not wait for its controller.
+  bool getSynchronization() const {
+    return false;
+  }
+  /// Absent here: no effect; DARWINOP_ROBOT selects the robot when the program starts.
   virtual void setMode(Mode mode, const char* arg);
-  /// Returns EVENT_NO_EVENT at once; `timeout` in ms is ignored.
+  /// Absent here: EVENT_NO_EVENT at once; `timeout` in ms is ignored.
   UserInputEvent waitForUserInputEvent(UserInputEvent event_type, int timeout);
-  /// No effect; `size` in bytes. `darwinop window` has its own connection.
-  void wwiSend(const char* data, int size);
-  /// No effect, as wwiSend().
-  void wwiSendText(const std::string& text);
-  /// NULL, and `*size` is set to 0 bytes.
+  /// Absent here: no effect; `size` in bytes. `darwinop window` has its own connection.
+  virtual void wwiSend(const char* data, int size);
+  /// Absent here: no effect, as wwiSend().
+  virtual void wwiSendText(const std::string& text);
+  /// Absent here: NULL, and `*size` is set to 0 bytes.
   const char* wwiReceive(int* size);
-  /// Empty.
-  std::string wwiReceiveText();
+  /// Absent here: empty.
+  virtual std::string wwiReceiveText();
+  /// Absent here: NULL.
+  virtual void* windowCustomFunction(void* arg);
 
  protected:
   /// For tests: a robot that was made elsewhere; this object then owns it.

@@ -26,6 +26,13 @@ class TouchSensor : public Device {
   /// 0 or 1; 1: pressed. NaN: the board has not answered for 3 cycles, or over TCP the server does not send
   /// buttons.
   double getValue() const;
+  /// Absent here: NULL, with one warning; only a FORCE3D sensor has three values. Simulator: as
+  /// getValue(), per axis.
+  const double* getValues() const;
+  /// Absent here: 0. Number of rows of getLookupTable().
+  int getLookupTableSize() const { return 0; }
+  /// Absent here: NULL, a button has no table; no unit.
+  const double* getLookupTable() const { return 0; }
   /// BUMPER.
   Type getType() const { return BUMPER; }
 
