@@ -85,7 +85,8 @@ int examine(const std::string& asked, bool fix) {
   options.period = robot.period.value_or(connect::kUsualPeriod);
   options.absent = robot.safety.absent;
   options.allowed = connect::goalTicks(connect::safetyOn(robot, {}, "config.ini"), robot.offsets);
-  options.correct = fix;
+  options.correct = options.correct_mute = fix;
+  options.board_model = robot.board_model;
   const cm730::ProbeReport probed = cm730::probe(*check.port, options);
   report.add(probed.findings);
   if (probed.facts.board.readable && probed.facts.board.power_on) {

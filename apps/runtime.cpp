@@ -50,7 +50,9 @@ runtime::LoopConfig loopConfig(const Arguments& given, const connect::RobotFile&
 std::optional<connect::OpenedBus> openBus(const Arguments& given, const connect::RobotFile& robot,
                                           const runtime::LoopConfig& config) {
   const std::string port = given.port.value_or(robot.serialPort());
-  const auto open = [&] { return connect::openSerialBus({port, config.period, config.safety, robot.offsets}); };
+  const auto open = [&] {
+    return connect::openSerialBus({port, config.period, config.safety, robot.offsets, robot.board_model});
+  };
   if (!given.wait) return open();
   const auto log = [](const std::string& what) { std::cerr << "darwinop runtime: " << what << std::endl; };
   return connect::waitForBus(open, endRequested(), log, connect::pauseFor);

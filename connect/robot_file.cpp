@@ -48,6 +48,13 @@ Nanos periodInMs(std::string_view key, std::string_view value) {
   return std::chrono::milliseconds{static_cast<int>(*ms)};
 }
 
+std::uint16_t modelNumber(std::string_view key, std::string_view value) {
+  const auto number = text::numberFromText(value);
+  if (!number || *number < 0 || *number > 0xFFFF || *number != std::floor(*number))
+    refuse("Robot", key, value, "give the model number that `darwinop doctor` prints, 0 to 65535");
+  return static_cast<std::uint16_t>(*number);
+}
+
 /// "Neck, Head"; nothing: none.
 std::bitset<kJoints> jointNames(std::string_view key, std::string_view value) {
   std::bitset<kJoints> joints;
@@ -116,8 +123,11 @@ class Reader final : public text::IniReader {
       file_.controller_user = accountName(key, value, "user");
     else if (name == "absent")
       file_.safety.absent = jointNames(key, value);
+    else if (name == "board_model")
+      file_.board_model = modelNumber(key, value);
     else
-      refuse("Robot", key, value, "no such key; there are port, camera, period_ms, group, controller_user and absent");
+      refuse("Robot", key, value,
+             "no such key; there are port, camera, period_ms, group, controller_user, absent and board_model");
   }
 
   void takeOffset(std::string_view key, std::string_view value) {
@@ -182,6 +192,7 @@ std::string describe(const RobotFile& robot) {
   }
   const std::size_t named = robot.safety.named.count();
   if (named > 0) text += ", " + std::to_string(named) + (named == 1 ? " setting" : " settings") + " of [Safety]";
+  if (robot.board_model != RobotFile{}.board_model) text += ", board model " + std::to_string(robot.board_model);
   if (!absent.empty()) text += ", absent:" + absent;
   if (!limits.empty()) text += ", narrowed:" + limits;
   if (!offsets.empty()) text += ", offsets in rad:" + offsets;

@@ -1,10 +1,12 @@
 // robot.ini: properties of one physical robot, independent of its driver. docs/robot-file.md
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/registers.hpp"
 #include "hal/byte_line.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 #include "safety/config.hpp"
@@ -23,6 +25,7 @@ struct RobotFile {
   std::string group, controller_user;  // empty: see connect/controller_user.hpp
   safety::Config safety{};             // including the joints that the robot lacks
   cm730::JointOffsets offsets{};
+  std::uint16_t board_model = find(kCm730, "model").reset;  // permitted beside the CM-730's
 
   [[nodiscard]] std::string serialPort() const { return port.value_or(kRobotsPort); }
 };

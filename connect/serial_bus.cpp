@@ -47,6 +47,7 @@ cm730::ProbeOptions probeOptions(const SerialRobot& robot) {
   options.period = robot.period;
   options.offsets = robot.offsets;
   options.absent = robot.safety.absent;
+  options.board_model = robot.board_model;
   options.allowed = goalTicks(robot.safety, robot.offsets);
   return options;
 }
@@ -76,6 +77,7 @@ cm730::ProbeReport check(ByteLine& line, const SerialRobot& robot, cm730::Purpos
 safety::Config withinServoLimits(const SerialRobot& robot, const cm730::ProbeReport& report, cm730::Purpose purpose) {
   safety::Config config = robot.safety;
   config.left_out |= cm730::leftOut(report.findings, purpose);
+  config.no_writes |= cm730::noWrites(report.findings, purpose);
   for (std::size_t i = 0; i < kJoints; ++i) {
     const cm730::ServoFacts& servo = report.facts.servo[i];
     if (!servo.readable || config.left_out[i]) continue;
@@ -113,6 +115,7 @@ OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose) {
   opened.warnings = problemText(checked.findings) + problemText(startPoseFindings(checked.facts));
   cm730::BusConfig config = cm730::BusConfig::forPeriod(robot.period, robot.offsets);
   config.absent = robot.safety.absent;
+  config.no_writes = opened.safety.no_writes;
   config.fixed_block_length = !checked.facts.instructions.all_blocks;
   opened.bus = std::make_unique<OwnedBus<cm730::SerialPort>>(std::move(line), config);
   return opened;

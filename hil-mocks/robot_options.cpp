@@ -75,15 +75,19 @@ void setServo(BoardOptions& options, std::string_view text) {
 }
 
 void setBoard(BoardOptions& options, std::string_view text) {
+  constexpr std::string_view kModel = "model:";
   if (text == "no-bulk-read")
     options.bulk_read = false;
   else if (text == "no-sync-write")
     options.sync_write = false;
   else if (text == "one-block-length")
     options.only_block = 30;
+  else if (const auto model = wholeNumber(text.substr(std::min(text.size(), kModel.size())));
+           text.starts_with(kModel) && model && *model <= 0xFFFF)
+    options.model = static_cast<std::uint16_t>(*model);
   else
     throw std::runtime_error("--board " + std::string{text} +
-                             ": expected no-bulk-read, no-sync-write or one-block-length");
+                             ": expected no-bulk-read, no-sync-write, one-block-length or model:0..65535");
 }
 
 }  // namespace darwinop::hil

@@ -26,7 +26,8 @@ constexpr std::uint8_t kButtons = find(kCm730, "buttons").address;
 
 }  // namespace
 
-BoardDevice::BoardDevice(std::uint8_t firmware) : BusDevice{kBoardLayout} {
+BoardDevice::BoardDevice(std::uint16_t model, std::uint8_t firmware) : BusDevice{kBoardLayout} {
+  table_.setWord(find(kCm730, "model").address, model);
   table_.setByte(board::kFirmware, firmware);
 }
 
@@ -45,7 +46,11 @@ void BoardDevice::restart() {
 }
 
 VirtualBoard::VirtualBoard(const BoardOptions& options, Body& body)
-    : options_{options}, body_{body}, device_{options.firmware}, supply_v_{options.supply_v}, rail_v_{supply_v_} {
+    : options_{options},
+      body_{body},
+      device_{options.model, options.firmware},
+      supply_v_{options.supply_v},
+      rail_v_{supply_v_} {
   boot_.fill(options.servo_boot);
   servos_.reserve(kJoints);
   for (std::size_t i = 0; i < kJoints; ++i) {

@@ -25,6 +25,7 @@ struct BoardOptions {
   Nanos servo_boot{0};       // boot time of a servo after its supply is switched on
   bool servo_power = false;  // initial state; false as after switching the robot on
   std::uint8_t firmware = 0x13;
+  std::uint16_t model = find(kCm730, "model").reset;
   // Missing features of other firmware versions.
   bool bulk_read = true, sync_write = true;
   std::uint8_t only_block = 0;  // the only number of board bytes that BULK_READ supports; 0: any
@@ -42,7 +43,7 @@ struct BoardCounters {
 /// The CM-730's registers.
 class BoardDevice : public BusDevice {
  public:
-  explicit BoardDevice(std::uint8_t firmware);
+  BoardDevice(std::uint16_t model, std::uint8_t firmware);
   [[nodiscard]] bool servoPower() const { return table_.byte(board::kDxlPower) != 0; }
   void setServoPower(bool on) { table_.setByte(board::kDxlPower, on ? 1 : 0); }
   void measure(const BodyState& body, double supply_v);

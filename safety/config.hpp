@@ -74,8 +74,8 @@ struct Config {
   std::array<JointRange, kJoints> range = hardRanges();
 
   /// Joints that are never driven. `absent` (robot.ini): also not read, and no fault. `left_out` (at start-up): read
-  /// and reported.
-  std::bitset<kJoints> absent, left_out;
+  /// and reported. `no_writes`, a part of `left_out`: no torque off either, because nothing shows that it is an MX-28.
+  std::bitset<kJoints> absent, left_out, no_writes;
 
   /// An earlier loop held joints at its end (runtime/robot_notes.hpp): servo power that is off at the start was lost
   /// under torque.

@@ -12,7 +12,8 @@ JointGuard::JointGuard(Joint joint, const Config& config)
     : config_{config},
       joint_{joint},
       absent_{config.absent[index(joint)]},
-      never_driven_{absent_ || config.left_out[index(joint)]},
+      no_writes_{absent_ || config.no_writes[index(joint)]},
+      never_driven_{no_writes_ || config.left_out[index(joint)]},
       watch_{config} {
   forgetRequests();
 }

@@ -57,10 +57,10 @@ class JointGuard {
   /// `wanted`: the robot's state is one in which joints are driven, and servos have power.
   void engage(bool wanted) noexcept;
   void restart() noexcept;
-  void orderOff() noexcept { off_due_ = !absent_; }
+  void orderOff() noexcept { off_due_ = !no_writes_; }
   [[nodiscard]] bool offDue() const noexcept { return off_due_; }
-  /// Torque off was sent since torque was last switched on.
-  [[nodiscard]] bool offOrdered() const noexcept { return off_ordered_; }
+  /// Torque off was sent since torque was last switched on, or may not be sent.
+  [[nodiscard]] bool offOrdered() const noexcept { return off_ordered_ || no_writes_; }
   /// The servo must be polled in this cycle: torque is switched on after a poll shows the placed goal, and the goal
   /// stays until a poll shows torque. A SyncWrite is not acknowledged, and a goal write switches torque on.
   [[nodiscard]] bool pollDue() const noexcept { return channel_.placed() || (channel_.moving() && !on_seen_); }
@@ -117,7 +117,7 @@ class JointGuard {
 
   const Config& config_;
   Joint joint_;
-  bool absent_, never_driven_;
+  bool absent_, no_writes_, never_driven_;
   Rad requested_goal_;  // unknown: none yet
   RadPerSec requested_speed_;
   NewtonMeter requested_torque_;

@@ -71,6 +71,7 @@ Config layered(const Layer& robot, const Layer& controller) {
   config.named |= robot.config.named;
   config.absent |= robot.config.absent;
   config.left_out |= robot.config.left_out;
+  config.no_writes |= robot.config.no_writes;
   for (std::size_t i = 0; i < kJoints; ++i)
     intersect(config.range[i], robot.config.range[i], kJointTable[i].name, robot, controller);
   try {

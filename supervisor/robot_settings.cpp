@@ -22,7 +22,8 @@ RobotSettings readRobotSettings() {
   robot.serial = {.port = file.serialPort(),
                   .period = file.period.value_or(connect::kUsualPeriod),
                   .safety = connect::safetyOn(file, safety::Config{}, "config.ini"),
-                  .offsets = file.offsets};
+                  .offsets = file.offsets,
+                  .board_model = file.board_model};
   try {
     robot.group = connect::runtimeGroup(file);
   } catch (const std::runtime_error&) {  // the runtime reports and rejects a missing group

@@ -38,7 +38,8 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
   Bytes frame = goals_.encode(commands);
   list_.requestPolls(goals_.limitsWentAlone() ? commands.poll() | goals_.limitsAlone() : commands.poll());
   if (frame.empty() && locks_due_ > 0 && silent_cycles_ == 0 && list_.servosAreUp()) {
-    frame = goals_.encodeLock();  // no joint is driven in the first cycles after power-up
+    frame = goals_.encodeLock(
+        ~(config_.absent | config_.no_writes));  // no joint is driven in the first cycles after power-up
     --locks_due_;
   }
   if (!frame.empty()) send(frame);

@@ -26,13 +26,14 @@ struct BusConfig {
   /// chip holds the end of a reply back for 1 ms, and a kernel without real-time patches may be late by milliseconds.
   Nanos margin{5'000'000};
   JointOffsets offsets{};
-  std::bitset<kJoints> absent{};    // joints that are never read
-  bool fixed_block_length = false;  // request_tag.hpp
+  std::bitset<kJoints> absent{};     // joints that are never read
+  std::bitset<kJoints> no_writes{};  // joints whose EEPROM is not locked, beside `absent`
+  bool fixed_block_length = false;   // request_tag.hpp
 
   /// The longest margin that the period permits beside kFullCycle. At 8 ms a missing reply can make its cycle overrun;
   /// a shorter margin would take late USB frames for missing replies.
   static constexpr BusConfig forPeriod(Nanos period, const JointOffsets& offsets = {}) {
-    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, false};
+    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, {}, false};
   }
   /// Maximum number of servos polled in one cycle: as many as fit into the period beside a full cycle and a missing
   /// reply, at least four.

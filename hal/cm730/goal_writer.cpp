@@ -168,10 +168,10 @@ std::span<const std::uint8_t> GoalWriter::encodeTorque(const SafeCommands& comma
   return sync.finish();
 }
 
-std::span<const std::uint8_t> GoalWriter::encodeLock() noexcept {
+std::span<const std::uint8_t> GoalWriter::encodeLock(const SafeCommands::Mask& who) noexcept {
   SyncWriteEncoder sync{frame_, servo::kLock, 1};
   constexpr std::uint8_t kLocked = 1;
-  for (const JointRow& joint : kJointTable) sync.add(joint.id, Bytes{&kLocked, 1});
+  forEachJoint(who, [&](std::size_t i) { sync.add(servoId(i), Bytes{&kLocked, 1}); });
   return sync.finish();
 }
 

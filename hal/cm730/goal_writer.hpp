@@ -33,9 +33,9 @@ class GoalWriter {
   /// Load that a servo reported, as a fraction of the maximum torque.
   void noteLoad(Joint joint, double load) noexcept;
 
-  /// Locks the EEPROM of every servo until power-off: with an 8-bit checksum one damaged frame in 256 is accepted, and
+  /// Locks the EEPROM of those servos until power-off: with an 8-bit checksum one damaged frame in 256 is accepted, and
   /// it must not change an id, a baud rate or an angle limit permanently.
-  std::span<const std::uint8_t> encodeLock() noexcept;
+  std::span<const std::uint8_t> encodeLock(const SafeCommands::Mask& who) noexcept;
 
   /// Frame to send after the first one; nearly always empty.
   std::span<const std::uint8_t> takeSecond() noexcept { return std::exchange(second_, {}); }

@@ -9,12 +9,12 @@
 
 #include "connect/connect.hpp"
 #include "connect/robot_file.hpp"
+#include "connect/robot_set_up.hpp"
 #include "connect/serial_bus.hpp"
 #include "core/conversions.hpp"
 #include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/serial_port.hpp"
 #include "hil-mocks/pty_host.hpp"
-#include "hil-mocks/robot_options.hpp"
 #include "runtime/environment.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -94,27 +94,6 @@ TEST_F(RobotOnAPty, ABoardThatDoesNotAnswerMayComeYet) {
   });
   EXPECT_THROW(openSerialBus({host.path()}), cm730::NotReady);
 }
-
-/// A robot on a pty with servos that are set up in some way.
-struct RobotSetUp {
-  explicit RobotSetUp(const std::vector<std::string>& servos) : robot{options(servos)}, host{robot} {}
-  static hil::BoardOptions options(const std::vector<std::string>& servos) {
-    hil::BoardOptions options;
-    for (const std::string& setting : servos) hil::setServo(options, setting);
-    return options;
-  }
-  [[nodiscard]] SerialRobot serial() const {
-    SerialRobot serial;
-    serial.port = host.path();
-    return serial;
-  }
-  int goalTicks(Joint joint) {
-    return host.withRobot(
-        [&](hil::VirtualRobot& r) { return r.board().servo(joint).table().word(servo::kGoalPosition); });
-  }
-  hil::VirtualRobot robot;
-  hil::PtyHost host;
-};
 
 TEST(ServoLimits, NarrowTheLoopsLimitsOnEveryWayToARobot) {
   const RobotSetUp robot{{"Neck=cw-limit:1900", "Neck=ccw-limit:2200", "PelvR=cw-limit:1536"}};

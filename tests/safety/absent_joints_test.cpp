@@ -70,5 +70,36 @@ TEST(LeftOutJoint, ThatIsStiffIsSwitchedOffWithTheOthers) {
   EXPECT_FALSE(rig.robot[Joint::kNeck].torque);
 }
 
+Config without(Joint joint) {
+  Config config = lacking(&Config::left_out, joint);
+  config.no_writes.set(index(joint));
+  return config;
+}
+
+TEST(JointWithoutWrites, GetsNoTorqueOffEither) {
+  Rig rig{without(Joint::kNeck)};
+  liveWith(rig, Joint::kNeck, [&] {
+    ASSERT_FALSE(rig.driven(Joint::kNeck));
+    ASSERT_FALSE(rig.safe->torqueOn()[index(Joint::kNeck)]);
+    ASSERT_FALSE(rig.safe->torqueOff()[index(Joint::kNeck)]);
+  });
+}
+
+TEST(JointWithoutWrites, ThatIsStiffStaysSoAndIsReportedWhileTheOthersComeToRest) {
+  Rig rig{without(Joint::kNeck)};
+  rig.robot[Joint::kNeck].torque = rig.robot[Joint::kHead].torque = true;
+  rig.newSession();
+  rig.commands.unattended = true;
+  rig.commands.end_of_session = true;
+  ASSERT_GE(rig.runUntil([&] { return !rig.robot[Joint::kHead].torque; }), 0);
+  rig.run(100);
+  EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
+  EXPECT_EQ(rig.state(), State::kFoundStiff);
+  for (int i = 0; i < 100; ++i) {
+    rig.cycle();
+    ASSERT_EQ(rig.safe->write(), Write::kNothing) << "torque off is not repeated for it";
+  }
+}
+
 }  // namespace
 }  // namespace darwinop::safety

@@ -15,6 +15,7 @@ namespace darwinop::cm730 {
 namespace {
 
 constexpr Nanos kDelayUnit{2'000};
+constexpr std::uint16_t kCm730Model = find(kCm730, "model").reset;
 constexpr std::size_t kSyncWriteBytes = 188;  // gains, goal, speed, torque limit of twenty servos
 constexpr std::size_t kGoalBytes = 68;        // goals only, as in most cycles
 constexpr std::size_t kRequestBytes = kFrameOverhead + 1 + 3 * (kJoints + 1);
@@ -75,11 +76,17 @@ void addBoard(const RobotFacts& facts, Findings& rows) {
     return;
   }
   rows.push_back(Finding::ok(format("CM-730 found, firmware 0x%02X", board.firmware)));
-  if (board.model != find(kCm730, "model").reset)
-    rows.push_back(Finding::of(Kind::kBoardModel,
-                               format("unexpected board model 0x%04X (expected 0x7300)", board.model),
-                               "sensors and registers may differ from a DARwIn-OP's"));
+  if (!isSupported(facts))
+    rows.push_back(Finding::of(
+        Kind::kBoardModel,
+        format("unsupported board model %d (expected %d, CM-730): its registers may differ, and nothing is written",
+               board.model, kCm730Model),
+        format("if its registers are those of a CM-730, permit it in robot.ini: [Robot] board_model = %d",
+               board.model)));
+  else if (board.model != kCm730Model)
+    rows.push_back(Finding::ok(format("board model %d is permitted by robot.ini", board.model)));
   rows.push_back(supply(board));
+  if (!isSupported(facts)) return;
   if (!board.power_on)
     rows.push_back(Finding::of(Kind::kServoPowerOff, "cannot switch servo power on",
                                "check battery and power switch, press the board's RESET button and try again"));
@@ -167,6 +174,14 @@ void addLosses(const RobotFacts& facts, Findings& rows) {
 
 }  // namespace
 
+bool isSupported(const ServoFacts& servo) {
+  return servo.readable && servo.model == find(kMx28, "model").reset && servo.firmware >= kOldestFirmware;
+}
+
+bool isSupported(const RobotFacts& facts) {
+  return facts.board.model == kCm730Model || facts.board.model == facts.board_model;
+}
+
 Nanos cycleTime(const RobotFacts& facts) {
   return wireTime(kCycleBytes) + returnDelays(facts) + usbTime(facts);
 }
@@ -188,7 +203,7 @@ Findings diagnose(const RobotFacts& facts) {
   addBoard(facts, rows);
   if (!facts.board.readable) return rows;
   addRoundTrip(facts, rows);
-  if (!facts.board.power_on) return rows;
+  if (!isSupported(facts) || !facts.board.power_on) return rows;
   addServoRows(facts, rows);
   addCycle(facts, rows);
   addInstructions(facts, rows);

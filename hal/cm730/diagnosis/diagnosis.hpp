@@ -22,6 +22,11 @@ inline constexpr Nanos kHeadroom{1'000'000};
 
 Findings diagnose(const RobotFacts& facts);
 
+/// An MX-28 with the registers that this project knows. Nothing is written to any other servo.
+bool isSupported(const ServoFacts& servo);
+/// A CM-730, or the board model that robot.ini permits. Nothing is written to any other board or to its servos.
+bool isSupported(const RobotFacts& facts);
+
 /// Duration of a full cycle with twenty servos: bytes, return delays and USB overhead.
 Nanos cycleTime(const RobotFacts& facts);
 /// Whether the cycle fits the period. A goals-only write (most cycles) must leave kHeadroom; the full write (one cycle

@@ -22,7 +22,7 @@ enum class Level : std::uint8_t {
 };
 
 constexpr Level levelOf(Kind kind) {
-  return policyOf(kind) <= Policy::kLeaveOut ? Level::kWarning : Level::kError;
+  return policyOf(kind) <= Policy::kNoWrites ? Level::kWarning : Level::kError;
 }
 
 struct Finding {
@@ -56,14 +56,24 @@ inline Policy decide(std::span<const Finding> findings, Purpose purpose) {
   return policy;
 }
 
-/// Joints that are not driven.
-inline std::bitset<kJoints> leftOut(std::span<const Finding> findings, Purpose purpose) {
+/// Joints with a finding of that policy.
+inline std::bitset<kJoints> jointsWith(Policy policy, std::span<const Finding> findings, Purpose purpose) {
   std::bitset<kJoints> joints;
   for (const Finding& finding : findings)
     for (std::size_t i = 0; i < kKinds; ++i)
-      if (finding.joint && finding.kinds[i] && policyOf(static_cast<Kind>(i), purpose) == Policy::kLeaveOut)
+      if (finding.joint && finding.kinds[i] && policyOf(static_cast<Kind>(i), purpose) == policy)
         joints.set(index(*finding.joint));
   return joints;
+}
+
+/// Joints to which nothing is written.
+inline std::bitset<kJoints> noWrites(std::span<const Finding> findings, Purpose purpose) {
+  return jointsWith(Policy::kNoWrites, findings, purpose);
+}
+
+/// Joints that are not driven.
+inline std::bitset<kJoints> leftOut(std::span<const Finding> findings, Purpose purpose) {
+  return jointsWith(Policy::kLeaveOut, findings, purpose) | noWrites(findings, purpose);
 }
 
 /// "warn  what" and, if there is one, a line "      -> remedy".

@@ -30,6 +30,7 @@ class Probe {
     facts_.port = options.port;
     facts_.period = options.period;
     facts_.allowed = options.allowed;
+    facts_.board_model = options.board_model;
     for (std::size_t i = 0; i < kJoints; ++i) {
       facts_.servo[i].absent = options.absent[i];
       facts_.start[i] = kJointTable[i].start + options.offsets.ticks(static_cast<Joint>(i));
@@ -40,16 +41,20 @@ class Probe {
     const Nanos began = line_.now();
     if (measureBoard()) {
       measureRoundTrip();
+      if (!isSupported(facts_)) return finish(began);
       switchServosOn();
       if (facts_.board.power_on) measureServos();
       if (!facts_.lost && facts_.board.power_on) tryInstructions(line_, facts_);
       measureLosses();
     }
-    facts_.took = line_.now() - began;
-    return facts_;
+    return finish(began);
   }
 
  private:
+  RobotFacts finish(Nanos began) {
+    facts_.took = line_.now() - began;
+    return facts_;
+  }
   const Answer& note(const Answer& answer) {
     if (answer.status == LineStatus::kLost) facts_.lost = true;
     return answer;
@@ -137,19 +142,27 @@ class Probe {
     if (!servo.found) return;
     readTable(id, servo);
     if (!servo.readable && !facts_.lost) readPatiently(id, servo);
-    // It answers pings but not reads: status level 0. Level and torque cannot be read, so try one write; a servo under
-    // torque ignores it.
-    if (!servo.readable && !servo.garbled && !facts_.lost) {
-      servo.level_correction = correct(id, servo::kStatusLevel, kStatusLevelWanted, false);
-      if (servo.level_correction == Correction::kDone) readTable(id, servo);
-    } else if (servo.readable && servo.status_level != kStatusLevelWanted) {
+    if (!servo.readable && !servo.garbled && !facts_.lost) correctMute(id, servo);
+    if (!isSupported(servo)) return;
+    if (servo.status_level != kStatusLevelWanted) {
       servo.level_correction = correct(id, servo::kStatusLevel, kStatusLevelWanted, servo.torque_on);
       if (servo.level_correction == Correction::kDone) servo.status_level = kStatusLevelWanted;
     }
-    if (!servo.readable || servo.return_delay <= kMostReturnDelay) return;
+    if (servo.return_delay <= kMostReturnDelay) return;
     servo.return_delay_was = servo.return_delay;
     servo.delay_correction = correct(id, servo::kReturnDelay, kReturnDelayWanted, servo.torque_on);
     if (servo.delay_correction == Correction::kDone) servo.return_delay = kReturnDelayWanted;
+  }
+
+  /// It answers pings but not reads: status level 0. Model, level and torque cannot be read, so only `doctor --fix`
+  /// writes; a servo under torque ignores it.
+  void correctMute(std::uint8_t id, ServoFacts& servo) {
+    servo.level_correction = Correction::kNotAsked;
+    if (!options_.correct_mute) return;
+    servo.level_correction = correct(id, servo::kStatusLevel, kStatusLevelWanted, false);
+    if (servo.level_correction != Correction::kDone) return;
+    servo.was_mute = true;
+    readTable(id, servo);
   }
 
   /// Retries with a longer timeout: a delay by this computer looks like status level 0 or like a duplicate id.

@@ -14,8 +14,11 @@ namespace darwinop::cm730 {
 
 struct ProbeOptions {
   std::string port = "/dev/ttyUSB0";  // for messages only
-  /// Write return delay 0 and status level 2 into servos with other values, and only into those.
+  /// Write return delay 0 and status level 2 into supported servos with other values, and only into those.
   bool correct = true;
+  /// Also write status level 2 into a servo that answers pings only. Its model can be read only afterwards; register 16
+  /// is the status return level of every servo of this protocol.
+  bool correct_mute = false;
   int round_trip_reads = 9;
   int loss_reads_per_servo = 3;
   Nanos loss_budget{300'000'000};  // no loss reads start after this time
@@ -23,10 +26,11 @@ struct ProbeOptions {
   Nanos period{16'000'000};        // period of the loop
   std::bitset<kJoints> absent{};   // not measured
   TickRanges allowed = tableRanges();
+  std::uint16_t board_model = find(kCm730, "model").reset;  // permitted beside the CM-730's
 
   /// Start of a loop: well under a second on a healthy robot, 300 ms more if servo power was off.
   static ProbeOptions quick() { return {}; }
-  /// For darwinop-doctor: measures longer, changes only servo power.
+  /// For darwinop doctor: measures longer, changes only servo power.
   static ProbeOptions thorough() {
     ProbeOptions options;
     options.correct = false;
@@ -37,7 +41,8 @@ struct ProbeOptions {
   }
 };
 
-/// Switches servo power on if it is off (torque stays off, nothing moves).
+/// Reads the model of the board and of each servo before anything is written to it. Switches servo power on if it is
+/// off (torque stays off, nothing moves).
 RobotFacts measure(ByteLine& line, const ProbeOptions& options);
 
 struct ProbeReport {

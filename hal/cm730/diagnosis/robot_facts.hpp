@@ -7,6 +7,7 @@
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
+#include "core/registers.hpp"
 #include "core/units.hpp"
 #include "hal/byte_line.hpp"
 
@@ -49,6 +50,7 @@ struct ServoFacts {
 
   Correction delay_correction = Correction::kNotNeeded, level_correction = Correction::kNotNeeded;
   std::uint8_t return_delay_was = 0;  // before the correction
+  bool was_mute = false;              // answered pings only until its status return level was corrected
   int reads = 0, losses = 0;          // single reads without retries
   // Instructions as the loop uses them; true also if not tested.
   bool bulk_read_works = true, sync_write_works = true;
@@ -76,11 +78,12 @@ struct InstructionFacts {
 };
 
 struct RobotFacts {
-  std::string port;                    // for messages
-  Nanos period{16'000'000};            // period of the loop
-  TickRanges allowed = tableRanges();  // allowed goals: joint table, settings and offsets
-  std::array<int, kJoints> start{};    // start pose in servo ticks
-  bool lost = false;                   // the line was lost during the measurement
+  std::string port;                                         // for messages
+  Nanos period{16'000'000};                                 // period of the loop
+  TickRanges allowed = tableRanges();                       // allowed goals: joint table, settings and offsets
+  std::array<int, kJoints> start{};                         // start pose in servo ticks
+  std::uint16_t board_model = find(kCm730, "model").reset;  // permitted beside the CM-730's
+  bool lost = false;                                        // the line was lost during the measurement
   BoardFacts board;
   std::array<ServoFacts, kJoints> servo;
   InstructionFacts instructions;

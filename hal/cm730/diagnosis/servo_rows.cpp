@@ -111,7 +111,7 @@ void addReturnDelay(const ServoFacts& servo, Row& found) {
 void addStatusLevel(const ServoFacts& servo, Row& found) {
   if (servo.level_correction == Correction::kNotNeeded) return;
   if (servo.level_correction == Correction::kDone)
-    found.note(kStatusLevelCorrected);
+    found.note(servo.was_mute ? kMuteCorrected : kStatusLevelCorrected);
   else
     found.add(Kind::kStatusLevel,
               "status return level " + std::to_string(servo.status_level) +
@@ -200,9 +200,10 @@ Finding readableRow(Joint joint, const RobotFacts& facts) {
 
 Finding unreadableRow(Joint joint, const ServoFacts& servo) {
   if (!servo.garbled)
-    return Finding::of(Kind::kServoUnreadable,
-                       servoName(joint) + ": answers pings only, so its status return level is 0",
-                       correctionRemedy(servo.level_correction));
+    return Finding::of(
+        Kind::kServoUnreadable,
+        servoName(joint) + ": answers pings only, so its status return level is 0 and its model is unknown",
+        correctionRemedy(servo.level_correction));
   const std::string what = servoName(joint) + ": garbled replies";
   if (row(joint).id == 1)
     return Finding::of(Kind::kServoGarbled, what,

@@ -10,6 +10,8 @@ namespace darwinop::cm730 {
 
 // Notes and remedies that have no kind of their own.
 inline constexpr const char* kStatusLevelCorrected = "status return level set to 2 permanently";
+inline constexpr const char* kMuteCorrected =
+    "at status return level 0 its model could not be read; level set to 2 permanently";
 inline constexpr const char* kIdOneTwice = "two servos may share id 1";
 
 /// "servo 13 LegLowerR (right knee)"

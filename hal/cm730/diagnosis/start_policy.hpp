@@ -14,12 +14,14 @@ namespace darwinop::cm730 {
 enum class Policy : std::uint8_t {
   kDrive,     // with a warning
   kLeaveOut,  // drive without that joint, with a warning
+  kNoWrites,  // the same, and write nothing to it, not even torque off: not known to be an MX-28
   kRest,      // the loop starts, as the robot may be stiff; the safety layer sits it down
   kWait,      // do not start; may resolve without user action, so `darwinop runtime --wait` retries
   kRefuse,    // do not start; user action needed
 };
 // In the order of the enumerators.
-inline constexpr std::array<std::string_view, 5> kPolicyNames{"warn", "omit", "sit down", "wait", "refuse"};
+inline constexpr std::array<std::string_view, 6> kPolicyNames{"warn",     "omit", "no writes",
+                                                              "sit down", "wait", "refuse"};
 
 /// Why a loop is started.
 enum class Purpose : std::uint8_t {
@@ -101,7 +103,8 @@ inline constexpr auto kKindTable = std::to_array<KindRow>({
      "perhaps another device; never write to it"},
     {Kind::kBoardUnreadable, Policy::kRefuse, Policy::kRefuse, "board registers unreadable",
      "supply and buttons would not be watched"},
-    {Kind::kBoardModel, Policy::kDrive, Policy::kDrive, "another board model", "its instructions are tested at start"},
+    {Kind::kBoardModel, Policy::kRefuse, Policy::kRefuse, "another board model",
+     "its registers may differ; `board_model` in robot.ini permits it"},
     {Kind::kSupplyLow, Policy::kDrive, Policy::kDrive, "supply under 11 V", "fault battery_low"},
     {Kind::kSupplyEmpty, Policy::kRest, Policy::kRest, "supply under 10 V", "fault battery_empty after 2 s"},
     {Kind::kServoPowerOff, Policy::kRefuse, Policy::kRefuse, "servo power stays off", "no servo can be checked"},
@@ -119,15 +122,15 @@ inline constexpr auto kKindTable = std::to_array<KindRow>({
     {Kind::kServoInstruction, Policy::kRefuse, Policy::kLeaveOut, "a servo lacks BULK_READ or SYNC_WRITE",
      "goals or replies would be missing"},
     {Kind::kNoServo, Policy::kWait, Policy::kWait, "all servos silent", "fuse or cable, repaired later"},
-    {Kind::kLegServoSilent, Policy::kWait, Policy::kLeaveOut, "a leg servo is silent",
+    {Kind::kLegServoSilent, Policy::kWait, Policy::kNoWrites, "a leg servo is silent",
      "a robot standing on a limp joint falls; `absent` in robot.ini permits it"},
-    {Kind::kServoSilent, Policy::kLeaveOut, Policy::kLeaveOut, "an arm or head servo is silent",
+    {Kind::kServoSilent, Policy::kNoWrites, Policy::kNoWrites, "an arm or head servo is silent",
      "the robot can walk and sit; unchecked, so no goals until the next start"},
-    {Kind::kServoGarbled, Policy::kRefuse, Policy::kLeaveOut, "a servo's replies are garbled",
+    {Kind::kServoGarbled, Policy::kRefuse, Policy::kNoWrites, "a servo's replies are garbled",
      "two servos may share an id, and both would obey"},
-    {Kind::kServoUnreadable, Policy::kRefuse, Policy::kLeaveOut, "a servo answers pings only",
-     "its position is unknown"},
-    {Kind::kServoModel, Policy::kRefuse, Policy::kLeaveOut, "unsupported servo model",
+    {Kind::kServoUnreadable, Policy::kRefuse, Policy::kNoWrites, "a servo answers pings only (status return level 0)",
+     "its model is unknown until `darwinop doctor --fix`"},
+    {Kind::kServoModel, Policy::kRefuse, Policy::kNoWrites, "unsupported servo model",
      "registers and units may differ"},
     {Kind::kServoFirmware, Policy::kRefuse, Policy::kLeaveOut, "servo firmware before 27",
      "1024 steps a turn: wrong angles"},

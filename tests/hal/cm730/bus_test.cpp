@@ -137,6 +137,23 @@ TEST_F(Bus, LocksTheEepromOfEveryServo) {
     EXPECT_EQ(robot.board().servo(static_cast<Joint>(i)).table().byte(servo::kLock), 1) << kJointTable[i].name;
 }
 
+TEST_F(Bus, LocksNoServoThatMayNotBeWrittenTo) {
+  BusConfig config = BusConfig::forPeriod(kPeriod);
+  config.absent.set(index(Joint::kNeck));
+  config.no_writes.set(index(Joint::kHead));
+  Cm730Bus careful{line, config};
+  for (int i = 0; i < 3; ++i) {
+    release += kPeriod;
+    line.advanceTo(release);
+    careful.write(SafeCommandsForTests{}.commands);
+    careful.read(readings);
+  }
+  const auto lock = [this](Joint joint) { return robot.board().servo(joint).table().byte(servo::kLock); };
+  EXPECT_EQ(lock(Joint::kNeck), 0);
+  EXPECT_EQ(lock(Joint::kHead), 0);
+  EXPECT_EQ(lock(Joint::kFootL), 1);
+}
+
 TEST_F(Bus, ReportsAServoRestartAtItsFirstReply) {
   for (int i = 0; i < 2; ++i) cycle(SafeCommandsForTests{}.driveAll(Rad{0}).commands);
   fault(hil::FaultKind::kDead, Nanos{40'000'000}, 7);

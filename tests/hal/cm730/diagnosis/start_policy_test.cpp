@@ -42,7 +42,7 @@ TEST(StartPolicyDocs, TheDocumentationHasTheTable) {
 TEST(StartPolicy, ARobotIsReportedDrivableExactlyWhenALoopDrivesIt) {
   for (const KindRow& row : kKindTable) {
     const Findings one{Finding::of(row.kind, "", "")};
-    EXPECT_EQ(worst(one) == Level::kError, decide(one, Purpose::kDrive) > Policy::kLeaveOut) << row.finding;
+    EXPECT_EQ(worst(one) == Level::kError, decide(one, Purpose::kDrive) > Policy::kNoWrites) << row.finding;
   }
 }
 
@@ -87,20 +87,22 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"LegLowerR=wheel", Kind::kWheelMode, Policy::kRefuse, Policy::kLeaveOut},
                     Case{"Head=wheel", Kind::kWheelMode, Policy::kRefuse, Policy::kLeaveOut},
                     Case{"LegLowerR=multi-turn", Kind::kMultiTurnMode, Policy::kRefuse, Policy::kLeaveOut},
-                    Case{"ArmLowerL=model:12", Kind::kServoModel, Policy::kRefuse, Policy::kLeaveOut},
-                    Case{"ArmLowerL=model:30", Kind::kServoModel, Policy::kRefuse, Policy::kLeaveOut},
+                    Case{"ArmLowerL=model:12", Kind::kServoModel, Policy::kRefuse, Policy::kNoWrites},
+                    Case{"ArmLowerL=model:30", Kind::kServoModel, Policy::kRefuse, Policy::kNoWrites},
                     Case{"FootL=firmware:26", Kind::kServoFirmware, Policy::kRefuse, Policy::kLeaveOut},
                     Case{"FootL=max-torque:0", Kind::kMaxTorqueZero, Policy::kRefuse, Policy::kLeaveOut},
-                    Case{"LegLowerR=missing", Kind::kLegServoSilent, Policy::kWait, Policy::kLeaveOut},
-                    Case{"PelvYR=missing", Kind::kLegServoSilent, Policy::kWait, Policy::kLeaveOut},
-                    Case{"FootL=missing", Kind::kLegServoSilent, Policy::kWait, Policy::kLeaveOut},
-                    Case{"ShoulderR=missing", Kind::kServoSilent, Policy::kLeaveOut, Policy::kLeaveOut},
-                    Case{"Neck=missing", Kind::kServoSilent, Policy::kLeaveOut, Policy::kLeaveOut},
-                    Case{"Head=id:1", Kind::kServoGarbled, Policy::kRefuse, Policy::kLeaveOut},
+                    Case{"LegLowerR=missing", Kind::kLegServoSilent, Policy::kWait, Policy::kNoWrites},
+                    Case{"PelvYR=missing", Kind::kLegServoSilent, Policy::kWait, Policy::kNoWrites},
+                    Case{"FootL=missing", Kind::kLegServoSilent, Policy::kWait, Policy::kNoWrites},
+                    Case{"ShoulderR=missing", Kind::kServoSilent, Policy::kNoWrites, Policy::kNoWrites},
+                    Case{"Neck=missing", Kind::kServoSilent, Policy::kNoWrites, Policy::kNoWrites},
+                    Case{"Head=id:1", Kind::kServoGarbled, Policy::kRefuse, Policy::kNoWrites},
                     Case{"Neck=cw-limit:3200", Kind::kNoRange, Policy::kRefuse, Policy::kLeaveOut},
                     Case{"LegLowerR=ccw-limit:3400", Kind::kStartPoseOutside, Policy::kRefuse, Policy::kDrive},
                     Case{"LegLowerR=ccw-limit:3450", Kind::kNarrowRange, Policy::kDrive, Policy::kDrive},
                     Case{"PelvR=cw-limit:1536", Kind::kNarrowRange, Policy::kDrive, Policy::kDrive},
+                    Case{"Neck=status-level:0", Kind::kServoUnreadable, Policy::kRefuse, Policy::kNoWrites},
+                    Case{"model:29696", Kind::kBoardModel, Policy::kRefuse, Policy::kRefuse},
                     Case{"no-bulk-read", Kind::kNoBulkRead, Policy::kRefuse, Policy::kRefuse},
                     Case{"no-sync-write", Kind::kNoSyncWrite, Policy::kRefuse, Policy::kRefuse},
                     Case{"one-block-length", Kind::kBlockLengths, Policy::kDrive, Policy::kDrive}),
