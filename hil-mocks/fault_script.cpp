@@ -2,16 +2,13 @@
 #include "hil-mocks/fault_script.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <sstream>
-#include <stdexcept>
+#include <functional>
 
 #include "core/packet.hpp"
+#include "hil-mocks/script_line.hpp"
 
 namespace darwinop::hil {
 namespace {
-
-constexpr double kLongestSeconds = 1e6;
 
 enum class Argument : std::uint8_t { kNone, kNumber, kBits, kButton, kFall };
 enum class For : std::uint8_t { kAllowed, kNeeded, kForbidden };
@@ -67,12 +64,6 @@ constexpr auto kFallNames = std::to_array<std::string_view>({"front", "back", "l
 constexpr auto kWayNames = std::to_array<std::string_view>({"replies", "requests", "both"});  // Way, minus one
 constexpr Nanos kButtonPress = std::chrono::milliseconds{300};
 
-std::string textOf(double number) {
-  std::ostringstream out;
-  out << number;
-  return out.str();
-}
-
 template <class Range, class Name>
 std::string listOf(const Range& range, Name&& name) {
   std::string list;
@@ -80,60 +71,7 @@ std::string listOf(const Range& range, Name&& name) {
   return list;
 }
 
-/// A line with a cursor over its words.
-class Line {
- public:
-  Line(std::string_view text, std::string_view file, std::size_t number) : rest_{text}, file_{file}, number_{number} {
-    rest_ = rest_.substr(0, rest_.find('#'));
-  }
-
-  /// The next word; empty at the end of the line.
-  std::string_view next() {
-    constexpr std::string_view kBlank = " \t\r";
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlank), rest_.size()));
-    word_ = rest_.substr(0, rest_.find_first_of(kBlank));
-    rest_.remove_prefix(word_.size());
-    return word_;
-  }
-
-  [[noreturn]] void fail(const std::string& allowed) const {
-    const std::string field = word_.empty() ? "end of line" : "field '" + std::string(word_) + "'";
-    throw std::runtime_error(std::string(file_) + ":" + std::to_string(number_) + ": " + field + ": " + allowed);
-  }
-
-  /// The next word as a number.
-  double number(std::string_view what, double low, double high) {
-    const std::string_view word = next();
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || !(value >= low && value <= high))
-      fail(std::string(what) + " must be a number from " + textOf(low) + " to " + textOf(high));
-    return value;
-  }
-
-  Nanos time(std::string_view what, double low_s) {
-    const std::chrono::duration<double> seconds{number(what, low_s, kLongestSeconds)};
-    return std::chrono::duration_cast<Nanos>(seconds);
-  }
-
-  /// Calls `take` for each part of the next word, "a+b+c".
-  template <class F>
-  void parts(F&& take) {
-    std::string_view word = next();
-    while (true) {
-      const std::size_t plus = word.find('+');
-      take(word.substr(0, plus));
-      if (plus == word.npos) return;
-      word.remove_prefix(plus + 1);
-    }
-  }
-
- private:
-  std::string_view rest_, word_, file_;
-  std::size_t number_;
-};
-
-void readServos(Line& line, InjectedFault& fault) {
+void readServos(ScriptLine& line, InjectedFault& fault) {
   line.parts([&](std::string_view name) {
     if (name == "all") return void(fault.joints.set());
     const auto found = std::ranges::find_if(
@@ -146,7 +84,7 @@ void readServos(Line& line, InjectedFault& fault) {
 }
 
 template <std::size_t N>
-void readBits(Line& line, const std::array<BitName, N>& names, InjectedFault& fault) {
+void readBits(ScriptLine& line, const std::array<BitName, N>& names, InjectedFault& fault) {
   line.parts([&](std::string_view name) {
     const auto found = std::ranges::find(names, name, &BitName::name);
     if (found == names.end())
@@ -155,13 +93,13 @@ void readBits(Line& line, const std::array<BitName, N>& names, InjectedFault& fa
   });
 }
 
-void readFall(Line& line, InjectedFault& fault) {
+void readFall(ScriptLine& line, InjectedFault& fault) {
   const auto found = std::ranges::find(kFallNames, line.next());
   if (found == kFallNames.end()) line.fail("expected one of: " + listOf(kFallNames, std::identity{}));
   fault.fall = static_cast<Fall>(found - kFallNames.begin());
 }
 
-void readKinds(Line& line, InjectedFault& fault) {
+void readKinds(ScriptLine& line, InjectedFault& fault) {
   fault.kinds.reset();
   line.parts([&](std::string_view name) {
     const auto found = std::ranges::find(kFaultKindNames, name);
@@ -170,7 +108,7 @@ void readKinds(Line& line, InjectedFault& fault) {
   });
 }
 
-void readArgument(Line& line, const KindRow& row, InjectedFault& fault) {
+void readArgument(ScriptLine& line, const KindRow& row, InjectedFault& fault) {
   switch (row.argument) {
     case Argument::kNone:
       break;
@@ -191,7 +129,7 @@ void readArgument(Line& line, const KindRow& row, InjectedFault& fault) {
 }
 
 /// Options after a fault, in any order.
-void readOptions(Line& line, const KindRow& row, InjectedFault& fault) {
+void readOptions(ScriptLine& line, const KindRow& row, InjectedFault& fault) {
   const bool wire = isWireFault(row.kind), has_chance_option = wire || row.kind == FaultKind::kErrors;
   bool has_for = false, has_chance = false;
   while (true) {
@@ -232,8 +170,8 @@ std::vector<InjectedFault> parseFaultScript(std::string_view text, std::string_v
     const std::string_view content = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
 
-    if (Line{content, file_name, number}.next().empty()) continue;
-    Line line{content, file_name, number};
+    if (ScriptLine{content, file_name, number}.next().empty()) continue;
+    ScriptLine line{content, file_name, number};
     InjectedFault fault;
     fault.at = line.time("seconds from the start", 0);
     if (faults.size() == kMostFaults) line.fail("a script has at most " + std::to_string(kMostFaults) + " faults");
