@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bitset>
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -51,6 +52,10 @@ constexpr bool isWireFault(FaultKind kind) {
 
 /// A servo restarts below this voltage (V). Assumption: the MX-28 is specified from 10 V, the real limit is unknown.
 inline constexpr double kBrownOutV = 5.5;
+
+constexpr Nanos faultTime(double seconds) {
+  return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(seconds));
+}
 
 /// Direction affected by a wire fault.
 enum class Way : std::uint8_t { kReplies = 1, kRequests = 2, kBoth = 3 };

@@ -2,21 +2,15 @@
 #include "hil-mocks/fault_injector.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/units.hpp"
+#include "hil-mocks/random_fault.hpp"
 #include "hil-mocks/wire_faults.hpp"
 
 namespace darwinop::hil {
 namespace {
 
 constexpr Nanos kRampStep = std::chrono::milliseconds{100};
-// After a shutdown a servo reports it for longer than this: it cools slowly, and the overload bit stays.
-constexpr Nanos kShortestCause = std::chrono::milliseconds{600};
-
-Nanos seconds(double s) {
-  return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(s));
-}
 
 /// From `normal` to the fault's amount, linearly over `over`.
 double ramped(const InjectedFault& fault, double normal, Nanos now) {
@@ -101,7 +95,7 @@ void FaultInjector::begin(const InjectedFault& fault, VirtualBoard& board) noexc
     if (fault.joints[i] && fault.boot) board.setBoot(static_cast<Joint>(i), *fault.boot);
   active_.push_back({fault, fault.at});
   if (fault.kind == FaultKind::kRandom)
-    active_.back().next_draw = fault.at + seconds(random_.between(0, 2 / fault.amount));
+    active_.back().next_draw = fault.at + faultTime(random_.between(0, 2 / fault.amount));
 }
 
 void FaultInjector::babble(Active& source, Nanos now, VirtualBoard& board) noexcept {
@@ -110,7 +104,7 @@ void FaultInjector::babble(Active& source, Nanos now, VirtualBoard& board) noexc
   const std::size_t count = std::min(bytes.size(), 1 + random_.below(static_cast<std::size_t>(source.fault.amount)));
   for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<std::uint8_t>(random_.below(256));
   board.babble(Bytes{bytes}.first(count));
-  source.next_draw = now + seconds(random_.between(0.0005, 0.02));
+  source.next_draw = now + faultTime(random_.between(0.0005, 0.02));
 }
 
 void FaultInjector::draw(Active& source, Nanos now) noexcept {
@@ -121,53 +115,10 @@ void FaultInjector::draw(Active& source, Nanos now) noexcept {
     if (kinds.any() && waiting_.size() < waiting_.capacity() && active_.size() < kRoom / 2) {
       std::size_t kind = random_.below(kFaultKinds);
       while (!kinds[kind]) kind = (kind + 1) % kFaultKinds;
-      add(randomFault(static_cast<FaultKind>(kind), source.next_draw));
+      add(randomFault(static_cast<FaultKind>(kind), source.next_draw, random_));
     }
-    source.next_draw += seconds(random_.between(0, 2 / source.fault.amount)) + Nanos{1};
+    source.next_draw += faultTime(random_.between(0, 2 / source.fault.amount)) + Nanos{1};
   }
-}
-
-InjectedFault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
-  InjectedFault fault;
-  fault.at = at;
-  fault.kind = kind;
-  fault.lasts = seconds(random_.between(0.02, 2.0));
-  fault.joints = randomJoints();
-  fault.fall = static_cast<Fall>(random_.below(4));
-  fault.way = static_cast<Way>(1 + random_.below(3));
-  fault.bits = static_cast<std::uint8_t>(random_.below(128));
-  fault.chance = 0.01 + 0.2 * random_.uniform();
-  fault.amount = 1 + static_cast<double>(random_.below(8));  // bytes or ms
-  if (kind == FaultKind::kHeat) fault.amount = random_.between(40, 90);
-  if (kind == FaultKind::kVoltage) fault.amount = random_.between(5, 16.5);
-  if (kind == FaultKind::kJam) fault.amount = random_.between(0.35, 2);
-  if (kind == FaultKind::kSag) fault.amount = random_.between(1, 60);
-  if (kind == FaultKind::kErrors && random_.below(2) == 0) {
-    fault.chance = 1;
-    fault.lasts = std::max(fault.lasts, kShortestCause);
-  }
-  if (kind == FaultKind::kDead) {  // 1 ms to 1 s, log-uniform
-    fault.lasts = seconds(0.001 * std::pow(10.0, random_.between(0, 3)));
-    fault.boot = seconds(random_.between(0.005, 0.5));
-  }
-  if (kind == FaultKind::kButton) fault.bits = static_cast<std::uint8_t>(1 + random_.below(3));
-  return fault;
-}
-
-/// One servo, or servos that fail together: a connector, a chain, both legs, all, or a random set.
-std::bitset<kJoints> FaultInjector::randomJoints() noexcept {
-  std::bitset<kJoints> joints;
-  const std::size_t first = random_.below(kJoints);
-  const std::size_t way = random_.below(8);
-  const std::uint64_t any = random_.next();
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    const JointRow &one = kJointTable[first], &other = kJointTable[i];
-    const bool same_chain = one.chain == other.chain;
-    const bool leg = other.chain == Chain::kRightLeg || other.chain == Chain::kLeftLeg;
-    joints[i] = i == first || (way == 0 && same_chain && i >= first) || (way == 1 && same_chain) || (way == 2 && leg) ||
-                way == 3 || (way == 4 && ((any >> i) & 1) != 0);
-  }
-  return joints;
 }
 
 void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
@@ -186,7 +137,7 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
   for (const auto& [fault, next_draw] : active_) {
     for (std::size_t i = 0; i < kJoints; ++i) {
       if (!fault.joints[i]) continue;
-      if (fault.kind == FaultKind::kJam) jam[i] = seconds(fault.amount);
+      if (fault.kind == FaultKind::kJam) jam[i] = faultTime(fault.amount);
       if (fault.kind == FaultKind::kErrors && !flickers(fault)) errors[i] |= fault.bits;
       if (fault.kind == FaultKind::kHeat) celsius[i] = ramped(fault, normal.temperature_c, now);
     }

@@ -50,8 +50,6 @@ class FaultInjector {
   void begin(const InjectedFault& fault, VirtualBoard& board) noexcept;
   void babble(Active& source, Nanos now, VirtualBoard& board) noexcept;
   void draw(Active& source, Nanos now) noexcept;
-  [[nodiscard]] InjectedFault randomFault(FaultKind kind, Nanos at) noexcept;
-  [[nodiscard]] std::bitset<kJoints> randomJoints() noexcept;
   void showEffects(Nanos now, VirtualBoard& board) noexcept;
   void planNext(Nanos now) noexcept;
 
