@@ -1,36 +1,17 @@
-// Publishes state, faults, loop statistics, pictures and search results to subscribers.
+// Publishes state, faults and loop statistics to subscribers.
 #include "monitor/monitor.hpp"
 
 #include <algorithm>
 #include <utility>
 
+#include "monitor/lanes.hpp"
 #include "monitor/messages.hpp"
-#include "monitor/picture.hpp"
-#include "monitor/search_message.hpp"
 
 namespace darwinop::monitor {
 namespace {
 
-/// One lane for each kind of message of which only the newest is sent.
-enum MonitorLane : web::Lane {
-  kHelloLane,
-  kGoneLane,
-  kStateLane,
-  kLoopLane,
-  kFaultsLane,
-  kCameraLane,
-  kPictureLane,
-  kErrorLane,
-  kFoundLane
-};
-static_assert(kFoundLane < web::kLanes);
-
-constexpr double kFaultLooks = 10, kDriverLooks = 20;  // Hz
+constexpr double kFaultLooks = 10;  // Hz
 constexpr Nanos kShortest{4'000'000}, kLongest{50'000'000}, kIdle{100'000'000};
-
-web::Bytes shared(std::string text) {
-  return std::make_shared<const std::string>(std::move(text));
-}
 
 double secondsOf(Nanos time) {
   return std::chrono::duration<double>{time}.count();
@@ -184,53 +165,6 @@ void Monitor::publishLoopStats() {
                                               .session = block.session.load(),
                                               .lost = channel->lost()},
                                              seen_)));
-}
-
-void Monitor::publishPictures() {
-  if (std::exchange(searches_changed_, false)) updateSearches();
-  const auto wants = [](const auto& subscriber) { return subscriber.second.subscription.camera > 0; };
-  const bool wanted = std::ranges::any_of(subscribers_, wants);
-  const bool runs = runtime_.block() != nullptr;
-  if (wanted && runs && driver_pace_.due(now_, kDriverLooks)) driver_ = runtime_.driver();
-  camera_.update(wanted && runs, driver_ == 0 || driver_ == own_driver_, now_);
-  if (!wanted) return;
-  const remote::JpegPicture picture = camera_.newest();
-  web::Bytes message;
-  for (auto& [channel, subscriber] : subscribers_) {
-    if (subscriber.subscription.camera <= 0) continue;
-    sendCameraStatus(*channel, subscriber, picture.sequence != 0);
-    if (picture.sequence == 0 || picture.sequence == subscriber.picture) continue;
-    if (!subscriber.pictures.due(now_, subscriber.subscription.camera)) continue;
-    if (!message) message = shared(pictureMessage(picture, remote::kWholeImage));
-    subscriber.picture = picture.sequence;
-    // The result precedes its picture, so that a page can show both together.
-    if (search_ && subscriber.subscription.find)
-      if (const std::optional<ColourMatch> found = search_->resultOf(*subscriber.subscription.find, picture.sequence))
-        channel->send(kFoundLane, shared(colourMatchText(*found, subscriber.subscription.mask)));
-    channel->sendBinary(kPictureLane, message);
-  }
-}
-
-void Monitor::updateSearches() {
-  if (!search_) return;
-  std::vector<ColourQuery> searches;
-  for (const auto& [channel, subscriber] : subscribers_)
-    if (subscriber.subscription.camera > 0 && subscriber.subscription.find)
-      searches.push_back(*subscriber.subscription.find);
-  search_->setSearches(searches);
-}
-
-void Monitor::sendCameraStatus(web::Channel& channel, Subscriber& subscriber, bool seeing) {
-  std::string text;
-  if (runtime_.block() == nullptr)
-    text = cameraText(false, "no runtime is running");
-  else if (const std::string why = camera_.why(); !why.empty())
-    text = cameraText(false, why);
-  else
-    text = cameraText(seeing, seeing ? "" : camera_.shared() ? kNoSharedPictures : kCameraIsBlind);
-  if (text == subscriber.camera) return;
-  subscriber.camera = text;
-  channel.send(kCameraLane, shared(std::move(text)));
 }
 
 }  // namespace darwinop::monitor
