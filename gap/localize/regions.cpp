@@ -8,65 +8,11 @@
 #include <numeric>
 #include <set>
 
-#include "gap/plant/row_state.hpp"
+#include "gap/localize/state_samples.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-/// One sample: its residual and the state it is of.
-struct Sample {
-  double z = 0;
-  std::vector<double> state;  // one a variable; NaN: not known
-  int cell = 0;               // of position and speed, log class
-};
-
-struct Variable {
-  const char* name;
-  const char* unit;
-  std::function<double(const Trajectory&, std::size_t row, double speed, double since)> value;
-};
-
-const std::vector<Variable>& variables() {
-  static const std::vector<Variable> all{
-      {"position", "rad", [](const auto& log, auto row, double, double) { return log.position_rad[row]; }},
-      {"speed", "rad/s", [](const auto&, auto, double speed, double) { return std::abs(speed); }},
-      {"direction", "",
-       [](const auto&, auto, double speed, double) {
-         return std::abs(speed) < thresholds::kDirectionSpeed ? 0 : std::copysign(1, speed);
-       }},
-      {"error", "rad",
-       [](const auto& log, auto row, double, double) { return std::abs(log.goal_rad[row] - log.position_rad[row]); }},
-      {"load", "", [](const auto& log, auto row, double, double) { return log.load[row]; }},
-      {"temperature", "degC", [](const auto& log, auto row, double, double) { return log.temp_c[row]; }},
-      {kSessionTime, "s",
-       [](const auto& log, auto row, double, double) { return log.session_start_s + log.time_s[row] - log.time_s[0]; }},
-      {"time since reversal", "s", [](const auto&, auto, double, double since) { return since; }},
-      {"payload", "kg", [](const auto& log, auto, double, double) { return log.payload_kg; }},
-      {"P register", "", [](const auto& log, auto, double, double) { return log.p_register; }},
-      {"torque", "", [](const auto& log, auto row, double, double) { return log.torque_on[row] != 0 ? 1.0 : 0.0; }},
-  };
-  return all;
-}
-constexpr std::size_t kPosition = 0, kSpeed = 1, kSession = 6;
-
-void addSamples(const Trajectory& log, const Eigen::VectorXd& z, const std::vector<std::size_t>& rows,
-                std::vector<Sample>& into) {
-  double turned_s = log.time_s.front(), direction = 0;
-  std::vector<double> speed(log.rows()), since(log.rows());
-  for (std::size_t row = 0; row < log.rows(); ++row) {
-    speed[row] = stateAt(log, row).speed_rad_s;
-    const double now = std::abs(speed[row]) < thresholds::kDirectionSpeed ? direction : std::copysign(1, speed[row]);
-    if (now != direction) turned_s = log.time_s[row], direction = now;
-    since[row] = log.time_s[row] - turned_s;
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Sample sample{.z = z[static_cast<Eigen::Index>(i)], .state = {}, .cell = 0};
-    for (const Variable& variable : variables())
-      sample.state.push_back(variable.value(log, rows[i], speed[rows[i]], since[rows[i]]));
-    into.push_back(std::move(sample));
-  }
-}
 
 /// Upper ends of bins with about as many samples in each; one a value where there are few.
 std::vector<double> binsOf(std::vector<double> values, std::size_t count) {
@@ -83,10 +29,10 @@ std::size_t binOf(const std::vector<double>& ends, double value) {
                                ends.size() - 1);
 }
 
-Region regionOf(const std::vector<Sample>& samples, std::size_t variable, const std::vector<double>& levels) {
-  Region region{.variable = variables()[variable].name, .unit = variables()[variable].unit};
+Region regionOf(const std::vector<StateSample>& samples, std::size_t variable, const std::vector<double>& levels) {
+  Region region{.variable = stateVariables()[variable].name, .unit = stateVariables()[variable].unit};
   std::vector<double> values;
-  for (const Sample& sample : samples)
+  for (const StateSample& sample : samples)
     if (!std::isnan(sample.state[variable])) values.push_back(sample.state[variable]);
   if (values.size() < 2 * thresholds::kFewestInBin) return region;
   const std::vector<double> ends = binsOf(values, thresholds::kStateBins);
@@ -95,7 +41,7 @@ Region regionOf(const std::vector<Sample>& samples, std::size_t variable, const 
   std::vector<double> energy(ends.size());
   std::array<double, thresholds::kResidualLevels> level_count{};
   double all_energy = 0;
-  for (const Sample& sample : samples) {
+  for (const StateSample& sample : samples) {
     if (std::isnan(sample.state[variable])) continue;
     const std::size_t bin = binOf(ends, sample.state[variable]), level = binOf(levels, sample.z);
     count[bin][level] += 1, level_count[level] += 1;
@@ -139,21 +85,21 @@ double betweenGroups(const std::vector<double>& y, const std::vector<int>& group
 }
 
 /// State: position and speed. Clock: a third of the session, within one cell of the state.
-void stateOrClock(const std::vector<Sample>& samples, Dependence& out) {
+void stateOrClock(const std::vector<StateSample>& samples, Dependence& out) {
   std::vector<double> position, speed, session;
-  for (const Sample& sample : samples) {
-    position.push_back(sample.state[kPosition]);
-    speed.push_back(sample.state[kSpeed]);
-    session.push_back(sample.state[kSession]);
+  for (const StateSample& sample : samples) {
+    position.push_back(sample.state[kPositionState]);
+    speed.push_back(sample.state[kSpeedState]);
+    session.push_back(sample.state[kSessionState]);
   }
   const auto q = binsOf(position, 6), w = binsOf(speed, 3), t = binsOf(session, 3);
   std::vector<double> y[2];  // signed, and how large
   std::vector<int> cell, both;
-  for (const Sample& sample : samples) {
+  for (const StateSample& sample : samples) {
     const std::size_t direction = sample.state[2] > 0 ? 2 : sample.state[2] < 0 ? 1 : 0;
-    cell.push_back(
-        static_cast<int>((binOf(q, sample.state[kPosition]) * 3 + binOf(w, sample.state[kSpeed])) * 3 + direction));
-    both.push_back(cell.back() * 3 + static_cast<int>(binOf(t, sample.state[kSession])));
+    cell.push_back(static_cast<int>(
+        (binOf(q, sample.state[kPositionState]) * 3 + binOf(w, sample.state[kSpeedState])) * 3 + direction));
+    both.push_back(cell.back() * 3 + static_cast<int>(binOf(t, sample.state[kSessionState])));
     y[0].push_back(std::asinh(sample.z));
     y[1].push_back(std::log1p(sample.z * sample.z));
   }
@@ -184,7 +130,7 @@ std::string_view name(Depends depends) {
 
 Dependence dependenceOf(const Case& given, const std::vector<LogResidual>& residuals, const Blocks& blocks) {
   Dependence out{.of = "position", .regions = {}};
-  std::vector<Sample> samples;
+  std::vector<StateSample> samples;
   const BlockFinding* const open = blocks.first ? &blocks.of(*blocks.first) : nullptr;
   if (open != nullptr && !open->samples.empty()) out.of = name(open->block);
   for (std::size_t i = 0; i < residuals.size(); ++i) {
@@ -200,9 +146,9 @@ Dependence dependenceOf(const Case& given, const std::vector<LogResidual>& resid
   if (samples.size() < 2 * thresholds::kFewestInBin) return out;
   std::vector<double> z;
   z.reserve(samples.size());
-  for (const Sample& sample : samples) z.push_back(sample.z);
+  for (const StateSample& sample : samples) z.push_back(sample.z);
   const std::vector<double> levels = binsOf(z, thresholds::kResidualLevels);
-  for (std::size_t variable = 0; variable < variables().size(); ++variable)
+  for (std::size_t variable = 0; variable < stateVariables().size(); ++variable)
     out.regions.push_back(regionOf(samples, variable, levels));
   std::ranges::stable_sort(out.regions, std::greater{}, &Region::information);
   stateOrClock(samples, out);
