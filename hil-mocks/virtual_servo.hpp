@@ -67,6 +67,7 @@ class VirtualServo : public BusDevice {
 
  private:
   static constexpr std::uint8_t kBaudAddress = find(kMx28, "baud").address;
+  static constexpr std::uint16_t kClockwise = 1024;  // bit 10 of the speed register, in wheel mode only
   static std::uint8_t rounded(double value);
 
   [[nodiscard]] std::uint8_t standingErrors() const override;
