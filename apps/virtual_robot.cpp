@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -27,7 +26,6 @@
 #include "hil-mocks/torque_on_counter.hpp"
 #include "virtual_robot_report.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
-#include "hil-mocks/camera/camera_settings.hpp"
 #include "virtual_robot_camera.hpp"
 #endif
 
@@ -134,22 +132,6 @@ void report(const hil::VirtualRobot& robot, std::uint64_t torque_on, double seco
   std::printf("%s: at most %.1f ms\n", darwinop::app::kBehindRealTime, ms(lag));
 }
 
-#ifdef DARWINOP_VIRTUAL_CAMERA
-std::unique_ptr<darwinop::app::RobotCamera> makeCamera(hil::PtyHost& host, const std::string& file) {
-  if (file.empty()) return nullptr;
-  const std::string path = std::filesystem::absolute(file);
-  auto camera = std::make_unique<darwinop::app::RobotCamera>(host, path);
-  try {
-    const std::vector<std::string> settings = hil::cameraSettings(path, "/dev/video0");
-    std::printf("camera: /dev/video0, for programs started with\n");
-    for (const std::string& setting : settings) std::printf("export %s\n", setting.c_str());
-  } catch (const std::runtime_error& error) {  // direct readers of the file still work
-    std::fprintf(stderr, "darwinop-virtual-robot: its camera is not available to other programs: %s\n", error.what());
-  }
-  return camera;
-}
-#endif
-
 int serve(const Arguments& a) {
   sigset_t signals = darwinop::blockEndSignals();
   sigaddset(&signals, SIGUSR1);
@@ -178,7 +160,7 @@ int serve(const Arguments& a) {
     std::printf("port: %s\n", host.path().c_str());
     if (!a.link.empty()) std::printf("link: %s\n", a.link.c_str());
 #ifdef DARWINOP_VIRTUAL_CAMERA
-    const auto camera = makeCamera(host, a.camera);
+    const auto camera = darwinop::app::makeCamera(host, a.camera);
 #endif
     std::printf("body: %s\n", a.body.c_str());
     if (!a.faults.empty()) std::printf("faults: %s, seed %" PRIu64 "\n", a.faults.c_str(), a.seed);

@@ -5,8 +5,12 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
+#include <vector>
 
+#include "hil-mocks/camera/camera_settings.hpp"
 #include "hil-mocks/camera/frame_painter.hpp"
 #include "hil-mocks/camera/test_pattern.hpp"
 
@@ -82,6 +86,20 @@ RobotCamera::RobotCamera(hil::PtyHost& host, const std::string& file) {
   painter_ = std::jthread{[&host, painting = std::make_unique<Painting>(host, file)](const std::stop_token& stop) {
     paintUntil(stop, host, painting);
   }};
+}
+
+std::unique_ptr<RobotCamera> makeCamera(hil::PtyHost& host, const std::string& file) {
+  if (file.empty()) return nullptr;
+  const std::string path = std::filesystem::absolute(file);
+  auto camera = std::make_unique<RobotCamera>(host, path);
+  try {
+    const std::vector<std::string> settings = hil::cameraSettings(path, "/dev/video0");
+    std::printf("camera: /dev/video0, for programs started with\n");
+    for (const std::string& setting : settings) std::printf("export %s\n", setting.c_str());
+  } catch (const std::runtime_error& error) {  // direct readers of the file still work
+    std::fprintf(stderr, "darwinop-virtual-robot: its camera is not available to other programs: %s\n", error.what());
+  }
+  return camera;
 }
 
 }  // namespace darwinop::app

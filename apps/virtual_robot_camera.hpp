@@ -1,6 +1,7 @@
 // Camera picture of the virtual robot for a virtual camera: programs see it at /dev/video0.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -18,5 +19,8 @@ class RobotCamera {
  private:
   std::jthread painter_;
 };
+
+/// The camera that paints into `file`, and the environment for programs on stdout. Null: no file.
+std::unique_ptr<RobotCamera> makeCamera(hil::PtyHost& host, const std::string& file);
 
 }  // namespace darwinop::app
