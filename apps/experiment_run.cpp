@@ -1,0 +1,109 @@
+#include "experiment_run.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <webots/Robot.hpp>
+
+#include "connect/robot_file.hpp"
+#include "connect/setting.hpp"
+#include "experiments/format/experiment_files.hpp"
+#include "experiments/format/plan.hpp"
+#include "experiments/format/reader.hpp"
+#include "experiments/run/gentle_stop.hpp"
+#include "experiments/run/hardware.hpp"
+#include "experiments/run/progress.hpp"
+#include "experiments/run/runner.hpp"
+
+namespace darwinop::experiments {
+namespace {
+
+/// Joint ranges of this robot; robot.ini may narrow them.
+Ranges rangesOf(const connect::Setting& robot) {
+  if (robot.kind != connect::RobotKind::kSerial) return safety::hardRanges();
+  return connect::safetyOn(connect::readRobotFile(), {}, "config.ini").range;
+}
+
+/// "speed-20260102-150405-twin.csv".
+std::string logName(const Experiment& experiment, const std::string& robot) {
+  char date[32];
+  const time_t now = time(nullptr);
+  tm local{};
+  localtime_r(&now, &local);
+  strftime(date, sizeof date, "-%Y%m%d-%H%M%S-", &local);
+  std::string name = robot.empty() ? "robot" : std::filesystem::path{robot}.stem().string();
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
+  return experiment.name + date + name + ".csv";
+}
+
+void setIfGiven(const char* name, const std::string& value) {
+  if (!value.empty()) setenv(name, value.c_str(), 1);
+}
+
+/// On the robot selected by the environment; on return the robot is at rest and the recording complete.
+RunOutcome drive(const Experiment& experiment, const Plan& plan) {
+  webots::Robot robot;
+  const std::atomic<bool>& stop = installGentleStop();
+  Progress progress{plan.seconds()};
+  const auto report = [&](const std::string& phase, double seconds) { progress.update(phase, seconds); };
+  return Runner{robot, experiment, stop, report}.run();
+}
+
+int reportEnd(RunOutcome outcome, const std::string& record) {
+  if (!record.empty()) std::cout << "recorded: " << record << std::endl;
+  switch (outcome) {
+    case RunOutcome::kStopped:
+      std::cerr << "stopped on request; the recording contains the data until then\n";
+      return kStopped;
+    case RunOutcome::kEnded:
+      std::cerr << "the experiment was ended by the robot, see above\n";
+      return kEnded;
+    case RunOutcome::kFell:
+      std::cerr << "the robot fell before the first pose; nothing was measured. Set it upright on level floor, "
+                   "in its start pose, and try again\n";
+      return kEnded;
+    case RunOutcome::kFellIn:
+      std::cerr << "unexpected fall: the experiment was ended, and the recording is invalid from "
+                   "the fall on\n";
+      return kEnded;
+    default:
+      return kDone;
+  }
+}
+
+}  // namespace
+
+int run(ExperimentRequest a) {
+  const Experiment experiment = readExperiment(findExperiment(a.experiment));
+  if (const char* usual = std::getenv("DARWINOP_ROBOT"); a.robot.empty() && usual != nullptr) a.robot = usual;
+  const connect::Setting robot = connect::readSetting(a.robot);
+  const Plan plan = makePlan(experiment, rangesOf(robot));
+  std::cout << planText(experiment, plan) << std::endl;
+  if (!a.yes && mayBeHardware(a.robot)) {
+    std::cerr << "darwinop experiment: this moves a real robot, as shown above. Make sure that nothing is in its way "
+                 "and that "
+                 "a person holds it, then add --yes\n";
+    return kNeedsYes;
+  }
+  if (connect::loopIsElsewhere(robot) && !a.no_record)
+    throw std::runtime_error(
+        "the loop of this robot runs in the daemon, which writes recordings itself: start it with darwinop runtime "
+        "--record FILE, and run the experiment with --no-record");
+  if (a.record.empty() && !a.no_record) a.record = logName(experiment, a.robot);
+  setIfGiven("DARWINOP_ROBOT", a.robot);
+  if (a.period_ms != 0) setIfGiven("DARWINOP_PERIOD_MS", std::to_string(a.period_ms));
+  unsetenv("DARWINOP_RECORD");
+  setIfGiven("DARWINOP_RECORD", a.record);
+  setIfGiven("DARWINOP_RECORD_NOTES", recordNotes(experiment));
+  setenv("DARWINOP_KEEP_CWD", "1", 1);  // file names are relative to the user's folder
+  return reportEnd(drive(experiment, plan), a.record);
+}
+
+}  // namespace darwinop::experiments
