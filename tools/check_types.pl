@@ -12,7 +12,7 @@ for my $file (split /\n/, `git ls-files --cached --others --exclude-standard --d
   open my $in, '<', $file or die "cannot read $file: $!\n";
   local $/;
   my $text = <$in>;
-  $defined{$1}{$file} = 1 while $text =~ /^(?:class|struct|enum class|enum)\s+([A-Z]\w*)[^;{()]*\{/mg;
+  $defined{$1}{$file} = 1 while $text =~ /^(?:class|struct|enum class|enum)\s+([A-Z]\w*)\b(?!::)[^;{()]*\{/mg;
 }
 
 my $failed = 0;
