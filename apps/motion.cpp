@@ -1,6 +1,5 @@
 // darwinop-motion: list, show, check, convert, mirror, create, play and plot motion pages.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -9,11 +8,11 @@
 #include <string>
 
 #include "connect/setting.hpp"
-#include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/mirror.hpp"
 #include "managers/motion_text/motion_file.hpp"
 #include "managers/motion_text/page_section.hpp"
 #include "managers/motion_text/page_text.hpp"
+#include "motion_check.hpp"
 #include "motion_own.hpp"
 #include "motion_play.hpp"
 #include "motion_plot.hpp"
@@ -24,7 +23,6 @@ namespace {
 using namespace darwinop;
 using namespace darwinop::motion;
 
-constexpr int kFound = 1;                 // exit status: 'check' has findings
 constexpr int kWrong = 2;                 // invalid arguments or unusable file
 constexpr std::uint8_t kFirstTime = 125;  // 1 s, slow enough from any pose
 constexpr const char* kFileHelp = "motion file, binary or text (detected); 'own': the built-in pages";
@@ -59,34 +57,6 @@ int show(const Arguments& a) {
   const MotionFile file = openMotions(a.file);
   (void)usedPage(file.pages, a.page, a.file);
   std::cout << pictureOf(file.pages, a.page);
-  return 0;
-}
-
-/// Errors of the file are added to `findings`; returns the readable pages.
-PageFile readForCheck(const std::string& path, std::vector<std::string>& findings) {
-  if (path == kOwn) return ownPages();
-  const std::vector<std::uint8_t> bytes = readBytes(path);
-  PageFile pages;
-  if (!isText(bytes)) {
-    findings = checkBytes(bytes, pages);
-    return pages;
-  }
-  try {
-    pages = readMotionFile(path).pages;
-  } catch (const std::runtime_error& why) {
-    findings.emplace_back(why.what());
-  }
-  return pages;
-}
-
-int check(const Arguments& a) {
-  std::vector<std::string> findings;
-  const PageFile pages = readForCheck(a.file, findings);
-  for (std::string& finding : checkPages(pages)) findings.push_back(std::move(finding));
-  for (const std::string& finding : findings) std::cout << finding << '\n';
-  if (!findings.empty()) return kFound;
-  const auto used = std::ranges::count_if(pages, [](const Page& page) { return page.canPlay(); });
-  std::cout << a.file << ": " << used << (used == 1 ? " page" : " pages") << " to play, no findings\n";
   return 0;
 }
 
@@ -159,8 +129,9 @@ void describe(CLI::App& app, Arguments& a, Action& action) {
   CLI::App& shown =
       with_file(command("show", show, "show angles, times and gains of a page", "show motion_4096.bin 12"));
   addPage(shown, "PAGE", a.page, "page number")->required();
-  with_file(command("check", check, "check pages for problems on a robot; exit code 1 if there are findings",
-                    "check motion_4096.bin"));
+  with_file(command(
+      "check", [](const Arguments& all) { return checkMotions(all.file); },
+      "check pages for problems on a robot; exit code 1 if there are findings", "check motion_4096.bin"));
   CLI::App& converted =
       command("convert", convert, "convert between binary and text files", "convert motion_4096.bin motion.txt");
   converted.add_option("FROM", a.file, kFileHelp)->required();
