@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "runtime/fault_announcer.hpp"
+#include "runtime/messages.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -15,6 +16,15 @@ namespace {
 void doze() {
   const timespec pause{0, 50'000'000};
   nanosleep(&pause, nullptr);
+}
+
+RobotNotes ownNotes(const RuntimeFiles& files) {
+  RobotNotes notes{files};
+  if (!notes.warning().empty()) std::cerr << "darwinop runtime: " << notes.warning() << std::endl;
+  if (!notes.kept())
+    throw std::runtime_error(messages::kNoMarkers + files.released + " and " + files.held +
+                             ": another user has the name, or the folder cannot be written");
+  return notes;
 }
 
 /// Called before the loop starts: a robot that was released under an earlier daemon stays released.
@@ -46,13 +56,14 @@ Daemon::Daemon(const LoopConfig& config, const RuntimeFiles& files, FileLock cla
                std::unique_ptr<ServoBus> bus)
     : files_{files},
       claim_{std::move(claim)},
-      notes_{files},
+      notes_{ownNotes(files)},
       exchange_{createExchange(files, group, notes_.released())},
       rest_{checked(config).safety, config.period},
       host_{afterAnother(config, notes_), std::move(bus), exchange_, LoopStats::Timed::kYes, Recorder::Writer::kThread},
       driver_{host_.loop(), clock_, config.period, config.real_time} {}
 
 Daemon::~Daemon() {
+  notes_.tidy();
   Exchange::remove(files_.exchange);
 }
 

@@ -59,7 +59,7 @@ std::string whoHas(const std::string& path) {
 class FreshFile {
  public:
   FreshFile(std::string path, mode_t mode, gid_t group, std::size_t size)
-      : path_{std::move(path)}, fresh_{path_ + ".new." + std::to_string(getpid())}, file_{opened(fresh_, mode)} {
+      : path_{std::move(path)}, fresh_{path_ + ".XXXXXX"}, file_{opened(fresh_)} {
     if (fchmod(file_.fd(), mode) != 0 || fchown(file_.fd(), static_cast<uid_t>(-1), group) != 0) {
       const int error = errno;
       unlink(fresh_.c_str());
@@ -86,9 +86,9 @@ class FreshFile {
   }
 
  private:
-  static SharedFile opened(const std::string& fresh, mode_t mode) {
-    unlink(fresh.c_str());
-    SharedFile file{open(fresh.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode)};
+  /// Under a name that no other user can take beforehand; with mode 0600.
+  static SharedFile opened(std::string& fresh) {
+    SharedFile file{mkostemp(fresh.data(), O_CLOEXEC)};
     if (file.fd() < 0) fail("cannot create " + fresh, errno, "is the folder there and yours to write?");
     return file;
   }

@@ -8,6 +8,9 @@ inline constexpr const char* kNoSuchController = "there is no controller ";     
 inline constexpr const char* kNotAProgram = " is not a program that may be run";  // after its path
 inline constexpr const char* kNoLoopLeft = "no loop is left: the joints keep their torque and last goals";
 
+// daemon.cpp
+inline constexpr const char* kNoMarkers = "a release by a person could not be recorded in ";  // then the files
+
 // daemon_link.cpp: why the loop has ended
 inline constexpr const char* kRuntimeEnds = "the runtime was requested to end; start it again with: darwinop runtime";
 inline constexpr const char* kRobotReleased =
@@ -22,6 +25,14 @@ inline constexpr const char* kOtherUsersRuntime = "a runtime of another user run
 inline constexpr const char* kTakesNoCommands = "the loop takes no commands from other programs (";
 inline constexpr const char* kOtherVersion = " was made by another version of the runtime";  // after the file
 inline constexpr const char* kNotOneRuntime = " do not belong together";                     // after both files
+
+// marker_file.cpp
+inline constexpr const char* kMarkerOfOthers = " was not made by this runtime but by ";  // after the path
+inline constexpr const char* kMarkerCountsAsSet =
+    "; what an earlier loop recorded there is unknown, so the robot counts as released: it stays limp until START is "
+    "pressed, a controller is started, or: darwinop runtime --reset-faults";
+inline constexpr const char* kMarkerReplaced = ". It was replaced";
+inline constexpr const char* kRemoveMarker = ". Remove it: sudo rm -r ";  // then the path
 
 // operator.cpp
 inline constexpr const char* kRuntimeHasEnded = ") has ended; start it again with: darwinop runtime";  // after the pid

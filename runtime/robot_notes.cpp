@@ -1,8 +1,5 @@
 #include "runtime/robot_notes.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include "safety/fault_book.hpp"
 
 namespace darwinop::runtime {
@@ -11,24 +8,18 @@ namespace {
 // After this many limp cycles each servo was polled once (safety/guard_states.cpp), and a loss of power was detected.
 constexpr std::uint64_t kAllPolled = kJoints + 5;
 
-bool exists(const std::string& path) {
-  return access(path.c_str(), F_OK) == 0;
-}
-
 }  // namespace
 
-RobotNotes::RobotNotes(const RuntimeFiles& files)
-    : released_{files.released, exists(files.released)}, held_{files.held, exists(files.held)} {}
+RobotNotes::RobotNotes(const RuntimeFiles& files) : released_{files.released}, held_{files.held} {}
 
-void RobotNotes::Note::set(bool wanted) {
-  if (wanted == exists) return;
-  exists = wanted;
-  if (!wanted) {
-    unlink(path.c_str());
-    return;
-  }
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
-  if (file >= 0) close(file);
+bool RobotNotes::released() const {
+  return released_.isSet() || !held_.warning().empty();
+}
+
+std::string RobotNotes::warning() const {
+  const std::string& first = released_.warning();
+  const std::string& second = held_.warning();
+  return first + (first.empty() || second.empty() ? "" : "; ") + second;
 }
 
 void RobotNotes::update(const Sensors& seen) {
@@ -46,8 +37,8 @@ void RobotNotes::update(const Sensors& seen) {
 }
 
 void RobotNotes::forget(const RuntimeFiles& files) {
-  unlink(files.released.c_str());
-  unlink(files.held.c_str());
+  MarkerFile::remove(files.released);
+  MarkerFile::remove(files.held);
 }
 
 }  // namespace darwinop::runtime

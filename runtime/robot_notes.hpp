@@ -1,4 +1,4 @@
-// State that must survive a killed loop: two marker files, which survive the process but not a reboot.
+// State that must survive a killed loop: two marker files.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/sensors.hpp"
+#include "runtime/marker_file.hpp"
 #include "runtime/names.hpp"
 
 namespace darwinop::runtime {
@@ -14,29 +15,33 @@ namespace darwinop::runtime {
 /// files.
 class RobotNotes {
  public:
-  /// Reads the markers of an earlier process.
+  /// Reads the markers of an earlier process. What another user has put in the place of one counts as set.
   explicit RobotNotes(const RuntimeFiles& files);
 
   /// A person released the robot, and no person has acted since: a new loop must not drive it.
-  [[nodiscard]] bool released() const { return released_.exists; }
+  [[nodiscard]] bool released() const;
   /// Joints were held, and not all were seen limp since. If a new loop then finds servo power off, RESET was pressed
   /// under torque (safety::Config::held_before).
-  [[nodiscard]] bool held() const { return held_.exists; }
+  [[nodiscard]] bool held() const { return held_.isSet(); }
+
+  /// False: a release would be lost with this process.
+  [[nodiscard]] bool kept() const { return released_.kept() && held_.kept(); }
+  /// What was found in the place of a marker, with a remedy; empty: nothing unexpected.
+  [[nodiscard]] std::string warning() const;
 
   /// Call with every image of the loop, or every few images.
   void update(const Sensors& seen);
 
+  /// At a normal end: removes the markers that are not set.
+  void tidy() {
+    released_.removeIfClear();
+    held_.removeIfClear();
+  }
   /// Removes the markers: a person has acted while no loop ran.
   static void forget(const RuntimeFiles& files);
 
  private:
-  struct Note {
-    std::string path;
-    bool exists;
-    void set(bool wanted);
-  };
-
-  Note released_, held_;
+  MarkerFile released_, held_;
   std::optional<std::uint64_t> limp_since_;  // cycle number
 };
 

@@ -7,6 +7,7 @@
 #include "runtime/daemon.hpp"
 #include "runtime/robot_notes.hpp"
 #include "supervisor/holder.hpp"
+#include "supervisor/journal.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -75,7 +76,9 @@ class Rescue::OwnLoop {
         watch_{robot.serial.period, runtime::Rest{robot.serial.safety, robot.serial.period}.atMost()},
         host_{loopConfig(robot, opened, notes_.held()), std::move(opened.bus), exchange_,
               runtime::LoopStats::Timed::kYes, runtime::Recorder::Writer::kThread},
-        driver_{host_.loop(), clock_, robot.serial.period, {}} {}
+        driver_{host_.loop(), clock_, robot.serial.period, {}} {
+    if (!notes_.warning().empty()) log(notes_.warning());
+  }
 
   /// Red lights and no driver; no other process has access to the commands.
   static runtime::Exchange closedExchange(const std::string& path, gid_t group, bool released) {

@@ -188,6 +188,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H407", "A released robot moves again by itself", "a killed runtime restarts", "a release outlives the runtime",
      "NAME.released and NAME.held in /dev/shm",
      "runtime_process_test:DaemonTest.ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs "
+     "runtime_process_test:DaemonTest.AFifoInThePlaceOfItsRecordMeansAReleaseUntilAPersonActs "
      "runtime_process_test:DaemonTest.ServoPowerThatIsFoundOffAfterADaemonThatDroveIsARelease "
      "safety_on_board_test:ReleaseOnTheBoard.AResetBeforeOrAfterTheDeathOfALoopThatHeldTheRobotIsARelease"},
     {"H408", "The robot rises after RESET", "power returns during a kneel", "no torque without a person's act",

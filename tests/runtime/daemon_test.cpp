@@ -22,6 +22,7 @@
 #include "runtime/messages.hpp"
 #include "runtime/operator.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -87,6 +88,13 @@ class DaemonTest : public testing::Test {
       return error.what();
     }
     return "accepted";
+  }
+
+  /// The daemon records what it sees within a moment.
+  static bool recorded(const std::string& marker, bool set) {
+    for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(10ms))
+      if (textOf(marker) == (set ? "1\n" : "0\n")) return true;
+    return false;
   }
 
   TemporaryFolder folder_;
@@ -204,16 +212,28 @@ TEST_F(DaemonTest, ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs
   };
   releaseRobot(files_);
   ASSERT_TRUE(comes(Fault::kReleasedByOperator));
-  for (int i = 0; i < 500 && access(files_.released.c_str(), F_OK) != 0; ++i) std::this_thread::sleep_for(10ms);
+  ASSERT_TRUE(recorded(files_.released, true));
   child_.kill(SIGKILL);
 
   std::unique_ptr<Daemon> daemon;
   const Child again{[&] { serve(files_, daemon); }};
   EXPECT_TRUE(comes(Fault::kReleasedByOperator));
   resetFaults(files_);
-  for (int i = 0; i < 500 && access(files_.released.c_str(), F_OK) == 0; ++i) std::this_thread::sleep_for(10ms);
-  EXPECT_NE(access(files_.released.c_str(), F_OK), 0);
+  EXPECT_TRUE(recorded(files_.released, false));
   EXPECT_THAT(daemonStatus(files_), ContainsRegex("faults +none\n"));
+}
+
+TEST_F(DaemonTest, AFifoInThePlaceOfItsRecordMeansAReleaseUntilAPersonActs) {
+  child_.kill(SIGKILL);
+  ASSERT_EQ(unlink(files_.released.c_str()), 0);
+  ASSERT_EQ(mkfifo(files_.released.c_str(), 0666), 0);
+  std::unique_ptr<Daemon> daemon;
+  const Child again{[&] { serve(files_, daemon); }};
+  for (int i = 0; i < 500 && daemonStatus(files_).find("released_by_operator:") == std::string::npos; ++i)
+    std::this_thread::sleep_for(10ms);
+  EXPECT_THAT(daemonStatus(files_), HasSubstr("released_by_operator:"));
+  resetFaults(files_);
+  EXPECT_TRUE(recorded(files_.released, false));
 }
 
 /// RESET was pressed while no loop ran, or so shortly before that the dead one could not notice.
@@ -230,7 +250,7 @@ TEST_F(DaemonTest, ServoPowerThatIsFoundOffAfterADaemonThatDroveIsARelease) {
   {
     DaemonLink link{files_};
     drive(link, 0.2, stop_);
-    for (int i = 0; i < 500 && access(files_.held.c_str(), F_OK) != 0; ++i) std::this_thread::sleep_for(10ms);
+    ASSERT_TRUE(recorded(files_.held, true));
     child_.kill(SIGKILL);
   }
   EXPECT_THAT(status_of(true), HasSubstr("board_reset"));
