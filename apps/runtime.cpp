@@ -15,6 +15,7 @@
 #include "hal/diagnostics.hpp"
 #include "hal/signals.hpp"
 #include "runtime/daemon.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/operator.hpp"
 #include "webots/config_ini.hpp"
 
@@ -74,8 +75,10 @@ int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
   if (!daemon.warning().empty()) std::cerr << "darwinop runtime: " << daemon.warning() << '\n';
   std::cout << "ready: pid " << getpid() << " on " << config.port << ", "
             << config.period / std::chrono::milliseconds{1} << " ms, " << files.exchange << std::endl;
-  daemon.run(endRequested());
-  return 0;
+  const runtime::JointSet left = daemon.run(endRequested());
+  if (left.none()) return 0;
+  std::cerr << "darwinop runtime: " << runtime::messages::kUnderTorque << runtime::namesOf(left) << std::endl;
+  return runtime::kExitUnderTorque;
 }
 
 /// 0: a controller may start, 3: not from this pose

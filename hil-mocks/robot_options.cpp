@@ -53,7 +53,7 @@ bool setNumber(ServoOptions& servo, std::string_view setting) {
 }  // namespace
 
 std::string servoSettings() {
-  std::string text = "wheel, multi-turn, missing";
+  std::string text = "wheel, multi-turn, missing, keeps-torque";
   for (const NumberRow& row : kNumbers)
     text.append(", ").append(row.name).append(":0..").append(std::to_string(row.most));
   return text;
@@ -68,6 +68,7 @@ void setServo(BoardOptions& options, std::string_view text) {
     if (setting == "wheel") return void(servo.cw_limit = servo.ccw_limit = 0);
     if (setting == "multi-turn") return void(servo.cw_limit = servo.ccw_limit = kTickMax);
     if (setting == "missing") return void(servo.missing = true);
+    if (setting == "keeps-torque") return void(servo.keeps_torque = true);
     if (setNumber(servo, setting)) return;
   }
   throw std::runtime_error("--servo " + std::string{text} +

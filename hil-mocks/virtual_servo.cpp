@@ -22,7 +22,11 @@ constexpr std::uint8_t kRegistered = addressOf("registered"), kLock = addressOf(
 }  // namespace
 
 VirtualServo::VirtualServo(Joint joint, const ServoOptions& options)
-    : BusDevice{kServoLayout}, joint_{joint}, missing_{options.missing}, position_{row(joint).start} {
+    : BusDevice{kServoLayout},
+      joint_{joint},
+      keeps_torque_{options.keeps_torque},
+      missing_{options.missing},
+      position_{row(joint).start} {
   table_.setByte(servo::kId, options.id == 0 ? row(joint).id : options.id);
   table_.setByte(servo::kFirmware, options.firmware);
   table_.setByte(servo::kReturnDelay, options.return_delay);
@@ -114,6 +118,7 @@ void VirtualServo::write(std::uint8_t address, Bytes data) {
   const bool was_locked = table_.byte(kLock) != 0;
   table_.write(address, data);
   if (was_locked) table_.setByte(kLock, 1);  // only a power cycle unlocks
+  if (keeps_torque_ && before.torque_enable) table_.setByte(servo::kTorqueEnable, 1);
   // Protocol 1 servos enable torque automatically on a goal write.
   if (address <= servo::kGoalPosition && address + data.size() > servo::kGoalPosition)
     table_.setByte(servo::kTorqueEnable, 1);

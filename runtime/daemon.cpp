@@ -67,7 +67,7 @@ Daemon::~Daemon() {
   Exchange::remove(files_.exchange);
 }
 
-void Daemon::run(const std::atomic<bool>& stop) {
+JointSet Daemon::run(const std::atomic<bool>& stop) {
   FaultAnnouncer announcer{std::cerr};
   for (; !stop.load() && !exchange_.shortened(); doze()) {
     const Sensors seen = sensors();
@@ -81,11 +81,16 @@ void Daemon::run(const std::atomic<bool>& stop) {
     notes_.update(seen);
     doze();
   }
-  notes_.update(sensors());
+  const Sensors last = sensors();
+  notes_.update(last);
   if (exchange_.shortened())
     throw std::runtime_error("the shared memory (" + files_.exchange +
                              ") was shortened or overwritten by another program, so the robot was brought to rest; "
                              "start the runtime again");
+  // A board that became silent when all servos had been seen limp leaves nothing unknown.
+  if (last.safety.state == State::kOffline && !notes_.held()) return {};
+  const JointSet present = everAnswered(last);
+  return perhapsUnderTorque(last, present.none() ? ~present : present);
 }
 
 Sensors Daemon::sensors() const {

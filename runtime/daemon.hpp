@@ -13,8 +13,12 @@
 #include "runtime/names.hpp"
 #include "runtime/rest.hpp"
 #include "runtime/robot_notes.hpp"
+#include "runtime/torque_left.hpp"
 
 namespace darwinop::runtime {
+
+/// Exit code of `darwinop runtime`: some joint may be under torque.
+inline constexpr int kExitUnderTorque = 4;
 
 /// Lock that permits one daemon per name. Take it before the port is opened. Throws std::runtime_error with the pid of
 /// the daemon that runs.
@@ -28,9 +32,10 @@ class Daemon {
   /// Removes the exchange, so that no process attaches to a dead loop.
   ~Daemon();
 
-  /// Returns once `stop` is true and safety has brought the robot to rest. If the exchange is lost, brings the robot to
+  /// Returns once `stop` is true and safety has brought the robot to rest: the joints that may be under torque
+  /// nevertheless, because a servo keeps it or nothing is known of it. If the exchange is lost, brings the robot to
   /// rest and throws std::runtime_error.
-  void run(const std::atomic<bool>& stop);
+  [[nodiscard]] JointSet run(const std::atomic<bool>& stop);
 
   /// Real-time settings that the kernel refused, with a remedy; empty: none.
   [[nodiscard]] const std::string& warning() const { return driver_.warning(); }

@@ -11,6 +11,11 @@ inline constexpr const char* kNoLoopLeft = "no loop is left: the joints keep the
 // daemon.cpp
 inline constexpr const char* kNoMarkers = "a release by a person could not be recorded in ";  // then the files
 
+// apps/runtime.cpp, supervisor
+inline constexpr const char* kUnderTorque =
+    "hold the robot and press RESET on its back; these joints may be under torque: ";  // then their names
+inline constexpr const char* kAllJoints = "all joints";
+
 // daemon_link.cpp: why the loop has ended
 inline constexpr const char* kRuntimeEnds = "the runtime was requested to end; start it again with: darwinop runtime";
 inline constexpr const char* kRobotReleased =

@@ -1,6 +1,7 @@
 #include "runtime/rest.hpp"
 
 #include "core/units.hpp"
+#include "runtime/torque_left.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -9,6 +10,8 @@ constexpr std::uint64_t kTakenIn = 3;  // cycles until an end of session is read
 // Torque off is a broadcast without acknowledgement. After this many cycles every servo has been polled once, and the
 // command was repeated to those that had not received it.
 constexpr std::uint64_t kLookedAtAll = kJoints + 5;
+// A servo that missed it, or whose poll was lost, is asked again in the next rounds.
+constexpr std::uint64_t kGivenUp = 4 * kLookedAtAll;
 // After a short interruption of the line the kneel continues; after a longer one nothing is sent.
 constexpr Nanos kOfflineForGood{3'000'000'000};
 
@@ -33,7 +36,8 @@ bool Rest::reached(const Sensors& seen) noexcept {
   const std::uint64_t offline = cyclesIn(State::kOffline, seen, offline_since_);
   if (seen.cycle - *first_ < kTakenIn) return false;
   if (on_exit_ == safety::OnExit::kHold) return true;
-  return limp >= kLookedAtAll || offline >= offline_cycles_;
+  const bool all_limp = perhapsUnderTorque(seen, everAnswered(seen)).none();
+  return limp >= (all_limp ? kLookedAtAll : kGivenUp) || offline >= offline_cycles_;
 }
 
 Nanos Rest::atMost() const noexcept {

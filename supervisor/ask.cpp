@@ -64,6 +64,14 @@ bool becomesTrue(const std::function<bool()>& condition) {
   return true;
 }
 
+/// False: the last supervisor has left joints that may be under torque; prints which.
+bool robotIsAtRest(const runtime::RuntimeFiles& files) {
+  const auto status = readStatus(SupervisorFiles{files}.status);
+  if (!status || status->left.empty()) return true;
+  std::cout << status->left << '\n';
+  return false;
+}
+
 std::string stateOf(const runtime::RuntimeFiles& files) {
   const auto status = readStatus(SupervisorFiles{files}.status);
   return status ? status->state : "unknown";
@@ -126,13 +134,15 @@ int printStatus(const runtime::RuntimeFiles& files) {
 
 int stopSupervisor(const runtime::RuntimeFiles& files) {
   const pid_t pid = runningOne(files);
-  if (pid == 0) return noneRuns(0);
+  if (pid == 0) return noneRuns(robotIsAtRest(files) ? 0 : 1);
   order(files, pid, SIGTERM);
   // The kernel releases the lock when the process is gone.
   if (!becomesTrue([&] { return runningOne(files) != pid; }))
     throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
                              ") has not ended within a minute; its state: " + stateOf(files));
   std::cout << "the supervisor has ended\n";
+  if (!robotIsAtRest(files)) return 1;
+  if (readStatus(SupervisorFiles{files}.status)) throw std::runtime_error(messages::kKilledMeanwhile);
   return 0;
 }
 

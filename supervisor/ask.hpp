@@ -9,7 +9,8 @@ namespace darwinop::supervisor {
 
 /// 0: a supervisor runs, 1: none.
 int printStatus(const runtime::RuntimeFiles& files);
-/// Returns when the supervisor and all its child processes have ended. 0 also if none runs.
+/// Returns when the supervisor and all its child processes have ended. 0: the robot is at rest, or none has run; 1:
+/// joints may be under torque, also if the last supervisor has left them so.
 int stopSupervisor(const runtime::RuntimeFiles& files);
 /// Returns when the default controller has ended. 0 also if it had already ended; 1: no supervisor runs.
 int stopController(const runtime::RuntimeFiles& files);

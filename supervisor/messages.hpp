@@ -5,6 +5,8 @@ namespace darwinop::supervisor::messages {
 
 // ask.cpp
 inline constexpr const char* kNoSupervisor = "no supervisor runs";
+inline constexpr const char* kKilledMeanwhile =
+    "the supervisor was killed before it ended: its runtime brings the robot to rest; watch the robot until it sits";
 
 // default_controller.cpp: after the controller's name
 inline constexpr const char* kEndedByItself = " has ended by itself";
@@ -22,8 +24,7 @@ inline constexpr const char* kNotStarted = " not started: ";  // after the contr
 inline constexpr const char* kRuntimeReady = "runtime: ready";
 inline constexpr const char* kCannotReachRobot = "rescue: cannot reach the robot, retrying: ";  // then the reason
 inline constexpr const char* kRescued = "rescue: the robot is at rest, torque is off";
-inline constexpr const char* kEnded = "ended";  // then one of the next two
+inline constexpr const char* kEnded = "ended";  // then the next one, or "; " and runtime::messages::kUnderTorque
 inline constexpr const char* kAtRest = "; the robot is at rest";
-inline constexpr const char* kMayHold = "; some joints may be under torque: hold the robot and press RESET on its back";
 
 }  // namespace darwinop::supervisor::messages

@@ -62,6 +62,7 @@ class Rescue::OwnLoop {
     return step;
   }
   [[nodiscard]] bool online() const { return watch_.online(); }
+  [[nodiscard]] const Sensors& sensors() const { return seen_; }
 
  private:
   OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released, runtime::FileLock claim)
@@ -119,6 +120,10 @@ Rescue::Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files, b
     : robot_{robot}, files_{files}, released_{released}, wait_{kFirstWait} {}
 
 Rescue::~Rescue() = default;
+
+Sensors Rescue::sensors() const {
+  return loop_ ? loop_->sensors() : Sensors{};
+}
 
 bool Rescue::online() const {
   return loop_ && loop_->online();

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "connect/serial_bus.hpp"
+#include "core/sensors.hpp"
 #include "hal/byte_line.hpp"
 #include "hal/cm730/usb_serial.hpp"
 #include "runtime/names.hpp"
@@ -39,6 +40,8 @@ class Rescue {
   [[nodiscard]] Step update(Nanos now);
   /// Error of the last attempt to open the port; empty: open, or not tried yet.
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
+  /// Newest image of its loop; cycle 0: none.
+  [[nodiscard]] Sensors sensors() const;
   /// The board responds.
   [[nodiscard]] bool online() const;
 

@@ -2,6 +2,7 @@
 #include "supervisor/status.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -40,16 +41,18 @@ bool writeStatus(const Status& status, const std::string& path) {
   std::ostringstream text;
   text << "home " << oneLine(status.home) << "\nstate " << oneLine(status.state) << "\ncontroller "
        << oneLine(status.controller) << "\nruntime_pid " << status.runtime_pid << "\ncontroller_pid "
-       << status.controller_pid << "\ncrashes " << status.crashes << "\norders " << status.orders
-       << "\ncontroller_ended " << status.controller_ended << '\n';
-  const std::string fresh = path + ".new";
-  unlink(fresh.c_str());
-  const int fd = open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
+       << status.controller_pid << "\ncrashes " << status.crashes << "\norders " << status.orders << "\nleft "
+       << oneLine(status.left) << "\ncontroller_ended " << status.controller_ended << '\n';
+  std::string fresh = path + ".XXXXXX";  // a name that no other user can take beforehand
+  const int fd = mkostemp(fresh.data(), O_CLOEXEC);
   if (fd < 0) return false;
   const std::string bytes = text.str();
-  const bool written = ::write(fd, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+  const bool written =
+      fchmod(fd, 0644) == 0 && ::write(fd, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
   close(fd);
-  return written && rename(fresh.c_str(), path.c_str()) == 0;
+  if (written && rename(fresh.c_str(), path.c_str()) == 0) return true;
+  unlink(fresh.c_str());
+  return false;
 }
 
 std::optional<Status> readStatus(const std::string& path) {
@@ -66,6 +69,7 @@ std::optional<Status> readStatus(const std::string& path) {
   status.controller_pid = static_cast<pid_t>(number("controller_pid"));
   status.crashes = static_cast<std::size_t>(number("crashes"));
   status.orders = static_cast<std::uint32_t>(number("orders"));
+  status.left = found["left"];
   status.controller_ended = number("controller_ended") != 0;
   return status;
 }

@@ -25,6 +25,7 @@ struct Status {
   pid_t runtime_pid = 0, controller_pid = 0;  // 0: does not run
   std::size_t crashes = 0;                    // of the controller, within the last minute
   std::uint32_t orders = 0;                   // completed so far
+  std::string left;                           // at the end: sentence if joints may be under torque
   bool controller_ended = false;              // and will not be restarted automatically
 
   bool operator==(const Status&) const = default;

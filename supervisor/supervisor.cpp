@@ -51,7 +51,7 @@ Supervisor::Supervisor(const Setup& setup)
       start_wait_{kFirstWait} {}
 
 Supervisor::~Supervisor() {
-  unlink(own_.status.c_str());
+  if (!failed_) unlink(own_.status.c_str());
 }
 
 int Supervisor::run() {
@@ -84,12 +84,21 @@ void Supervisor::update() {
     case SupervisorPhase::kRescue:
       return updateRescue();
     case SupervisorPhase::kDown:
-      if (stop_asked_ && controller_.over()) phase_ = next(phase_, PhaseEvent::kAllEnded);
+      if (stop_asked_ && controller_.over()) endAll();
       return;
     case SupervisorPhase::kOver:
     case SupervisorPhase::kCount:
       return;
   }
+}
+
+void Supervisor::endAll() {
+  phase_ = next(phase_, PhaseEvent::kAllEnded);
+  if (!robot_.empty()) return;
+  // No loop of this supervisor has run: an earlier one may have left the robot under torque.
+  runtime::RobotNotes notes{files_};
+  if (notes.held()) noteRobot(~runtime::JointSet{});
+  notes.tidy();
 }
 
 void Supervisor::onEvent(PhaseEvent event, const std::string& text) {
@@ -127,6 +136,7 @@ void Supervisor::publishStatus() {
   status.home = setup_.home;
   status.runtime_pid = runtime_ ? runtime_->process().pid() : 0;
   status.orders = orders_;
+  if (phase_ == SupervisorPhase::kOver && failed_) status.left = robot_.substr(kSeparator.size());
   if (phase_ != SupervisorPhase::kUp) status.state = state_text_;
   if (status == published_) return;
   if (writeStatus(status, own_.status)) published_ = status;

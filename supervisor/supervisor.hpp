@@ -4,10 +4,12 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/names.hpp"
+#include "runtime/torque_left.hpp"
 #include "supervisor/default_controller.hpp"
 #include "supervisor/journal.hpp"
 #include "supervisor/log_keeper.hpp"
@@ -40,6 +42,8 @@ class Supervisor {
   static constexpr Nanos kFirstWait{2'000'000'000};         // before a failed start is retried
   static constexpr Nanos kTimeToReachRobot{5'000'000'000};  // limit for a rescue after a stop command
 
+  static constexpr std::string_view kSeparator = "; ";  // before the state of the robot
+
   void update();
   void take(const Orders& orders);
   void startRuntime();
@@ -50,6 +54,8 @@ class Supervisor {
   void rescue(const std::string& why);
   void updateRescue();
   void onRest(Rescue::Step step);
+  void noteRobot(const runtime::JointSet& under_torque);
+  void endAll();
   void onEvent(PhaseEvent event, const std::string& text);
   void publishStatus();
 
@@ -73,8 +79,9 @@ class Supervisor {
   Nanos kill_at_{0};         // time of SIGKILL for the runtime
   Nanos stop_rescue_at_{0};  // after a stop command in a rescue that has not reached the robot
   bool stop_asked_ = false, restart_asked_ = false;
-  bool failed_ = false;  // the rescue could not bring the robot to rest
-  std::string robot_;    // state after the last loop, as the end of a message; empty: unknown
+  bool failed_ = false;        // joints may be under torque
+  runtime::JointSet present_;  // servos that answered the runtime which the rescue follows
+  std::string robot_;          // state after the last loop, as the end of a message; empty: unknown
   std::uint32_t orders_ = 0;
   Status published_;
 };

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/daemon.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/rest.hpp"
 #include "runtime/robot_notes.hpp"
 #include "safety/fault_book.hpp"
@@ -76,9 +78,13 @@ void Supervisor::endRuntime() {
 void Supervisor::onRuntimeEnd(const process::Ending& ending) {
   const bool was_up = runtime_->wasUp();
   kill_at_ = Nanos{0};
-  if (was_up && !ending.isNormal()) return rescue("runtime: died " + describe(ending));
+  const bool under_torque = !ending.by_signal && ending.code == runtime::kExitUnderTorque;
+  if (was_up && !ending.isNormal() && !under_torque) return rescue("runtime: died " + describe(ending));
   const Sensors& last = runtime_->sensors();
-  if (was_up) robot_ = last.safety.state == State::kLimp && !anyStiff(last) ? messages::kAtRest : messages::kMayHold;
+  if (was_up) {
+    const runtime::JointSet left = runtime::perhapsUnderTorque(last, runtime::everAnswered(last));
+    noteRobot(!under_torque ? runtime::JointSet{} : left.none() ? ~left : left);
+  }
   runtime_.reset();
   if (was_up || stop_asked_) controller_.runtimeLost(now_);
   if (stop_asked_) return onEvent(PhaseEvent::kEnded, "runtime: ended" + robot_);
@@ -89,11 +95,18 @@ void Supervisor::onRuntimeEnd(const process::Ending& ending) {
           std::to_string(start_wait_ / Nanos{1'000'000'000}) + " s");
 }
 
+void Supervisor::noteRobot(const runtime::JointSet& under_torque) {
+  failed_ = under_torque.any();
+  robot_ = failed_ ? std::string{kSeparator} + runtime::messages::kUnderTorque + runtime::namesOf(under_torque)
+                   : messages::kAtRest;
+}
+
 void Supervisor::rescue(const std::string& why) {
   onEvent(PhaseEvent::kLost, why + "; bringing the robot to rest: hold, slow crouch, torque off");
   kill_at_ = Nanos{0};
   runtime_->process().signal(SIGKILL);
   controller_.runtimeLost(now_);
+  present_ = runtime::everAnswered(runtime_->sensors());
   stop_rescue_at_ = now_ + kTimeToReachRobot;
   standDown();
   rescue_ = std::make_unique<Rescue>(settings_, files_, safety::keptLimp(runtime_->sensors().safety.active));
@@ -106,20 +119,19 @@ void Supervisor::updateRescue() {
   if (step == Rescue::Step::kAtRest || step == Rescue::Step::kStiff) return onRest(step);
   if (rescue_->online()) stop_rescue_at_ = now_ + kTimeToReachRobot;
   if (!stop_asked_ || now_ < stop_rescue_at_ || !controller_.over()) return;
-  failed_ = true;
-  robot_ = messages::kMayHold;
+  noteRobot(present_.none() ? ~present_ : present_);
   rescue_.reset();
   onEvent(PhaseEvent::kRescueEnded, "rescue: stopped before it could reach the robot" + robot_);
 }
 
 void Supervisor::onRest(Rescue::Step step) {
+  const Sensors last = rescue_->sensors();
+  const runtime::JointSet left = runtime::perhapsUnderTorque(last, present_ | runtime::everAnswered(last));
+  noteRobot(step == Rescue::Step::kStiff && left.none() ? ~left : left);
   rescue_.reset();
   runtime_.reset();
-  failed_ = step == Rescue::Step::kStiff;
-  robot_ = failed_ ? messages::kMayHold : messages::kAtRest;
   onEvent(PhaseEvent::kRescueEnded,
-          (failed_ ? "rescue: the robot sits, but a servo is still under torque: press RESET on its back"
-                   : messages::kRescued) +
+          (failed_ ? "rescue: the robot sits" + robot_ : std::string{messages::kRescued}) +
               std::string{"; restart at the next boot, or with: darwinop supervisor --restart-controller"});
   if (const std::string refused = standFast(); !refused.empty()) log(refused);
   if (!std::exchange(restart_asked_, false)) return;

@@ -3,12 +3,13 @@
 
 demo_ended=
 
-# bring_to_rest: ends the controller, lets the robot sit down, ends daemon and supervisor. Returns when done.
+# bring_to_rest: ends the controller, lets the robot sit down, ends daemon and supervisor. Returns when done. Fails without
+# --force if a joint may be under torque.
 bring_to_rest() {
   [ -x "$home/current/bin/darwinop-supervisor" ] || return 0
   say "bringing the robot to rest"
   within 90 "$home/current/bin/darwinop-supervisor" --stop >&2 </dev/null && return
-  [ "$force" = 0 ] || { say "the supervisor did not stop; continuing because of --force" && return; }
+  [ "$force" = 0 ] || { say "the robot may be under torque, see above: hold it; continuing because of --force" && return; }
   die "the supervisor did not bring the robot to rest, see above; nothing was changed. Restart the robot, or add --force"
 }
 

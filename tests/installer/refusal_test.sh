@@ -202,6 +202,24 @@ scenario_names_in_dev_shm_that_somebody_took_do_no_harm() {
   expect_status 0
 }
 
+scenario_robot_that_stays_under_torque() {
+  local v1 v2 what; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  expect_status 0
+  echo 'under torque: LegLowerR' >"$ROBOT/run/stays-stiff"
+  for what in "--bundle $v2" --uninstall; do
+    # shellcheck disable=SC2086  # an option and its value
+    run_install $what
+    expect_status 1
+    expect_said 'under torque: LegLowerR'
+    expect_version 0.1.0+a
+    ! grep -q '^0.2.0' "$ROBOT/run/doctor-calls" || fail "the new version ran on a robot under torque"
+  done
+  run_install --force --bundle "$v2"
+  expect_status 0
+  expect_version 0.2.0+b
+}
+
 scenario_bundle_that_is_cut_or_no_bundle() {
   local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b 200)
   run_install --bundle "$v1"

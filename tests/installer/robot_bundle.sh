@@ -4,6 +4,7 @@
 # Files on the robot that steer them (all in /run, so they count as memory, not disk):
 #   fail-self-test    darwinop-doctor fails (only in the version named in the file, if any)
 #   hold-self-test    darwinop-doctor waits until it is gone; self-test-begun appears
+#   stays-stiff       darwinop-supervisor --stop: exit 1 and the file's lines
 #   pose-unsafe       darwinop-runtime --check-pose: exit 3 and the file's lines
 # and what they leave: booted (VERSION of the supervisor that started), doctor-calls, runtime-calls (VERSION ARGS).
 
@@ -85,7 +86,10 @@ fake_darwinop_supervisor() {
 pid_file=/run/fake-supervisor.pid
 running() { [ -s $pid_file ] && kill -0 "$(cat $pid_file)" 2>/dev/null; }
 case " $* " in
-  *" --stop "*) if running; then kill "$(cat $pid_file)"; rm -f $pid_file; fi; exit 0 ;;
+  *" --stop "*)
+    if running; then kill "$(cat $pid_file)"; rm -f $pid_file; fi
+    if [ -e /run/stays-stiff ]; then cat /run/stays-stiff; exit 1; fi
+    exit 0 ;;
   *" --status "*) if running; then echo "supervisor: running"; exit 0; fi; echo "supervisor: not running"; exit 1 ;;
   *" --stop-controller "* | *" --restart-controller "*) echo "$version $*" >>/run/supervisor-calls; exit 0 ;;
 esac

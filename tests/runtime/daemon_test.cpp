@@ -53,7 +53,7 @@ class DaemonTest : public testing::Test {
     std::thread{[&daemon, robot] {
       int status = 0;
       try {
-        daemon->run(end_requested);
+        (void)daemon->run(end_requested);
       } catch (const std::runtime_error& error) {
         std::cerr << error.what() << std::endl;
         status = kLostAtRest;

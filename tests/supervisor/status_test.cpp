@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "support/temporary_folder.hpp"
@@ -17,6 +18,7 @@ TEST(Status, WhatIsWrittenIsRead) {
   status.runtime_pid = 12;
   status.crashes = 2;
   status.orders = 7;
+  status.left = "a sentence";
   status.controller_ended = true;
   ASSERT_TRUE(writeStatus(status, folder / "status"));
   status.state = "two lines";
@@ -28,6 +30,13 @@ TEST(Status, AMissingOrIncompleteFileIsEmpty) {
   EXPECT_EQ(readStatus(folder / "status"), std::nullopt);
   std::ofstream{folder / "status"} << "home /opt\nstate x\n";
   EXPECT_EQ(readStatus(folder / "status"), std::nullopt);
+}
+
+TEST(Status, NoForeignThingBesideItPreventsIt) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "status.new/full");  // the name of earlier versions
+  EXPECT_TRUE(writeStatus(Status{}, folder / "status"));
+  EXPECT_EQ(readStatus(folder / "status"), Status{});
 }
 
 TEST(Status, AMissingFolderReturnsFalse) {

@@ -31,7 +31,7 @@ class RemoteDaemonPort : public testing::Test {
                                                std::make_unique<runtime::FakeBus>());
     std::thread{[&daemon] {
       static const std::atomic<bool> never{false};
-      daemon->run(never);
+      (void)daemon->run(never);
     }}.detach();
   }
 
