@@ -21,6 +21,13 @@ struct WindowFile {
   }
 };
 
+/// Another user can put a link, a FIFO or a file of his own in place of both files.
+bool isPlainFile(int file) {
+  struct stat status {};
+  return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1 &&
+         (status.st_mode & S_IWOTH) == 0;
+}
+
 }  // namespace
 
 CameraFrame Reader::newest() {
@@ -97,7 +104,7 @@ void Reader::attach(Nanos now) {
 /// read(), not mmap(): accessing a mapped file that is too short raises SIGBUS.
 std::string Reader::rejection(int file) const {
   struct stat status {};
-  if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return "not a regular file";
+  if (::fstat(file, &status) != 0 || !isPlainFile(file)) return kNotAPlainFile;
   if (options_.group != static_cast<gid_t>(-1) && status.st_gid != options_.group)
     return "not owned by the runtime's group";
   std::uint32_t head[3] = {};
@@ -112,6 +119,7 @@ std::string Reader::rejection(int file) const {
 void Reader::ask(Nanos now) {
   if (window_ == nullptr) return;
   const WindowFile file{::open(options_.files.asked.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+  if (file.fd >= 0 && !isPlainFile(file.fd)) return log("ignoring " + options_.files.asked + ": " + kNotAPlainFile);
   const std::int64_t stamp = now.count();
   if (file.fd < 0 || ::pwrite(file.fd, &stamp, sizeof stamp, 0) != static_cast<ssize_t>(sizeof stamp))
     log("cannot request pictures through " + options_.files.asked + ": " + std::strerror(errno));

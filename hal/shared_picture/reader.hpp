@@ -16,6 +16,7 @@ namespace darwinop::shared_picture {
 
 // Phrases by which the messages of Reader are recognized.
 inline constexpr const char* kNoNewPictures = "no new pictures in ";
+inline constexpr const char* kNotAPlainFile = "not a regular file with one name that only its group may write";
 inline constexpr const char* kOtherVersion = "written by another version";
 
 /// Requests pictures while newest() is called; never blocks. The file may be created, removed and replaced at any time;

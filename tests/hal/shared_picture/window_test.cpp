@@ -18,6 +18,7 @@
 #include "hal/shared_picture/reader.hpp"
 #include "hal/shared_picture/writer.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::shared_picture {
 namespace {
@@ -219,6 +220,40 @@ TEST_F(SharedPicture, IsIgnoredWhenItsFileHasAnotherVersion) {
   std::filesystem::resize_file(files_.pictures, sizeof(SharedWindow));
   lookAgain();
   EXPECT_TRUE(put(2)) << "valid again";
+}
+
+TEST_F(SharedPicture, IsIgnoredWhenItsFileHasASecondNameOrEveryUserMayWriteIt) {
+  makeWriter();
+  ASSERT_EQ(::chmod(files_.pictures.c_str(), 0666), 0);
+  lookAgain();
+  put(1);
+  lookAgain();
+  EXPECT_FALSE(reader().health().seeing);
+  EXPECT_THAT(messages_, ElementsAre(HasSubstr(kNotAPlainFile)));
+  ASSERT_EQ(::chmod(files_.pictures.c_str(), 0640), 0);
+  std::filesystem::create_hard_link(files_.pictures, folder_ / "second");
+  lookAgain();
+  put(2);
+  lookAgain();
+  EXPECT_FALSE(reader().health().seeing);
+}
+
+TEST_F(SharedPicture, IsNotRequestedThroughAFileOfSomebodyElse) {
+  makeWriter();
+  std::ofstream{folder_ / "precious"} << "precious";
+  std::filesystem::remove(files_.asked);
+  std::filesystem::create_hard_link(folder_ / "precious", files_.asked);
+  lookAgain();
+  EXPECT_THAT(messages_, ElementsAre(HasSubstr(files_.asked)));
+  std::filesystem::remove(files_.asked);
+  ASSERT_EQ(::mkfifo(files_.asked.c_str(), 0666), 0);
+  const int blocked_reader = ::open(files_.asked.c_str(), O_RDONLY | O_NONBLOCK);
+  lookAgain();
+  ::close(blocked_reader);
+  std::filesystem::remove(files_.asked);
+  std::filesystem::create_symlink(folder_ / "precious", files_.asked);
+  lookAgain();
+  EXPECT_EQ(textOf(folder_ / "precious"), "precious");
 }
 
 TEST_F(SharedPicture, CannotBeModifiedByObservers) {
