@@ -147,7 +147,8 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H111", "A controller's stricter limits are ignored", "the daemon has its own settings",
      "a session's stricter [Safety] and [Limits] apply", "settings are sent and intersected",
      "safety_test:SessionSettings.HoldForTheirSessionAndNotForTheNext "
-     "safety_test:SessionSettings.WhateverNumbersComeTheRobotsGuardsHold"},
+     "safety_test:SessionSettings.WhateverNumbersComeTheRobotsGuardsHold "
+     "session_limits_test:SessionLimits.UnderTheDaemonTheServosGetTheControllersStricterGoalsInItsSessionOnly"},
     {"H112", "A limp arm runs to an old goal at full speed", "error bit and two lost replies in a takeover",
      "no torque before the goal was sent", "a suspected joint stays off",
      "servo_hazards_test:Restart.ASuspectedServoGetsNoTorqueOnBeforeItsGoalHasGoneOut "
@@ -200,6 +201,11 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:FoundStiff.ARobotThatSomebodyElseLeftStiffIsNeverCalledLimp"},
     {"H410", "The robot stays stiff after all programs end", "found stiff, never driven", "the loop brings it to rest",
      "kneel, limp", "safety_test:FoundStiff.WhenTheLoopClosesItKneelsAndReleasesTorque"},
+    {"H415", "A robot left stiff is reported at rest", "a stuck servo, or a silent board",
+     "success only if every servo was seen limp", "exit code, joints named",
+     "runtime_test:TorqueLeft.AServoThatWasNotPolledForTwoRoundsIsUnknown "
+     "supervisor_system_test:UnderTorque.AServoThatIgnoresTorqueOffIsNamedByStopAndSupervisor "
+     "supervisor_system_test:UnderTorque.ABoardThatIsSilentAtTheEndLeavesAllJointsUnknown"},
     {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
      "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "
