@@ -2,8 +2,9 @@
 // judges the robot. Another entry point would skip the judgement.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <regex>
+#include <initializer_list>
 #include <set>
 #include <string>
 
@@ -14,35 +15,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Product files, relative to the source tree, in which the expression is found.
-std::set<std::string> filesWith(const char* expression) {
-  const std::regex pattern{expression};
+using Files = std::set<std::string>;
+
+/// Product files, relative to the source tree, that contain one of these texts.
+Files filesWith(std::initializer_list<const char*> texts) {
   const fs::path root{DARWINOP_SOURCE_TREE};
-  std::set<std::string> found;
+  Files found;
   for (const char* room : {"apps", "connect", "controllers", "core", "experiments", "gap", "hal", "managers", "monitor",
                            "remote", "runtime", "safety", "supervisor", "twin", "webots", "window"})
-    for (const auto& entry : fs::recursive_directory_iterator{root / room})
-      if ((entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp") &&
-          std::regex_search(textOf(entry.path().string()), pattern))
-        found.insert(entry.path().lexically_relative(root).string());
+    for (const auto& entry : fs::recursive_directory_iterator{root / room}) {
+      const fs::path path = entry.path();
+      if (path.extension() != ".cpp" && path.extension() != ".hpp") continue;
+      const std::string source = textOf(path.string());
+      if (std::ranges::any_of(texts, [&](const char* text) { return source.find(text) != source.npos; }))
+        found.insert(path.lexically_relative(root).string());
+    }
   return found;
 }
 
 TEST(EntryPoints, NothingWritesToASerialLineButWhatHasJudgedTheRobot) {
-  using Files = std::set<std::string>;
-  EXPECT_EQ(filesWith(R"(#include "hal/cm730/serial_(port|open)\.hpp")"),
+  EXPECT_EQ(filesWith({"#include \"hal/cm730/serial_port.hpp\"", "#include \"hal/cm730/serial_open.hpp\""}),
             (Files{"apps/doctor.cpp", "connect/connect.cpp", "hal/cm730/diagnosis/port_check.cpp",
-                   "hal/cm730/diagnosis/port_check.hpp", "hal/cm730/serial_errors.cpp",
-                   "hal/cm730/serial_open.cpp", "hal/cm730/serial_port.cpp"}));
-  EXPECT_EQ(filesWith(R"(#include "hal/cm730/bus\.hpp")"),
-            (Files{"connect/owned_bus.hpp", "hal/cm730/bus.cpp",
-                   "hal/cm730/diagnosis/diagnosis.cpp"}));
+                   "hal/cm730/diagnosis/port_check.hpp", "hal/cm730/serial_errors.cpp", "hal/cm730/serial_open.cpp",
+                   "hal/cm730/serial_port.cpp"}));
+  EXPECT_EQ(filesWith({"#include \"hal/cm730/bus.hpp\""}),
+            (Files{"connect/owned_bus.hpp", "hal/cm730/bus.cpp", "hal/cm730/diagnosis/diagnosis.cpp"}));
   EXPECT_EQ(
-      filesWith(R"(\b(writeRegisters|encodeWrite|SyncWriteEncoder)\b)"),
+      filesWith({"writeRegisters(", "encodeWrite(", "SyncWriteEncoder"}),
       (Files{"core/packet.cpp", "core/packet.hpp", "hal/cm730/bus.cpp", "hal/cm730/diagnosis/instruction_trial.cpp",
              "hal/cm730/diagnosis/probe.cpp", "hal/cm730/diagnosis/transactions.cpp",
              "hal/cm730/diagnosis/transactions.hpp", "hal/cm730/goal_writer.cpp"}));
-  EXPECT_EQ(filesWith(R"(\bopenSerialBus\()"),
+  EXPECT_EQ(filesWith({"openSerialBus("}),
             (Files{"apps/runtime.cpp", "connect/connect.cpp", "connect/connect.hpp", "supervisor/rescue.cpp"}));
 }
 
