@@ -3,7 +3,9 @@
 //   print_hazards --programs               test programs that the table names, and the filter of each
 //   print_hazards RESULTS                  the page; RESULTS holds PROGRAM.json of each program (--gtest_output)
 //
-// Exit code 1 with one line for each test of the table that does not exist or failed; one that was skipped is named.
+// Exit code 1 with one line for each test of the table that does not exist, failed or was skipped, and for each row
+// that neither has a measured time nor says why not.
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -47,7 +49,7 @@ std::map<std::string, std::string> filters() {
 }
 
 struct Outcome {
-  bool passed = false;
+  bool passed = false, skipped = false;
   std::string cycles;  // empty: the test measures none
 };
 
@@ -62,20 +64,42 @@ std::map<std::string, Outcome> readOutcomes(const std::string& folder) {
       for (const auto& test : suite.at("testsuite")) {
         const std::string name = suite.at("name").get<std::string>() + "." + test.at("name").get<std::string>();
         Outcome& outcome = outcomes[program + ":" + name];
-        const bool skipped = test.at("result") == "SKIPPED";  // says why by itself: it needs rights that are not there
-        if (skipped) std::cerr << program << ' ' << name << " was skipped here\n";
-        outcome.passed = skipped || (test.at("result") == "COMPLETED" && !test.contains("failures"));
+        outcome.skipped = test.at("result") == "SKIPPED";
+        outcome.passed = test.at("result") == "COMPLETED" && !test.contains("failures");
         outcome.cycles = test.value("cycles", "");
       }
   }
   return outcomes;
 }
 
-std::string inMs(const std::string& cycles) {
-  return std::to_string(16 * std::stol(cycles));
+std::string inMs(long cycles) {
+  return std::to_string(16 * cycles);
 }
 
-/// False when a test of the table is missing or has failed; says which.
+/// Cycles that the tests of a hazard measured.
+std::vector<long> cyclesOf(const Hazard& hazard, const std::map<std::string, Outcome>& outcomes) {
+  std::vector<long> cycles;
+  for (const TestId& test : testsOf(hazard)) {
+    const auto found = outcomes.find(test.program + ":" + test.name);
+    if (found != outcomes.end() && !found->second.cycles.empty()) cycles.push_back(std::stol(found->second.cycles));
+  }
+  return cycles;
+}
+
+/// A hazard has a measured time, which is more than none, or a word that says why not.
+bool timed(const Hazard& hazard, const std::map<std::string, Outcome>& outcomes) {
+  const std::vector<long> cycles = cyclesOf(hazard, outcomes);
+  const bool real = std::ranges::all_of(cycles, [](long count) { return count > 0; });
+  if (real && cycles.empty() != hazard.untimed.empty()) return true;
+  std::cerr << hazard.id
+            << (cycles.empty() ? " has no measured time and does not say why"
+                : real         ? " has a measured time and says that it has none"
+                               : " was measured as 0 cycles: its reaction was there before its cause")
+            << '\n';
+  return false;
+}
+
+/// False when a test of the table is missing, has failed or did not run; says which.
 bool complete(const std::map<std::string, Outcome>& outcomes) {
   bool all = true;
   for (const Hazard& hazard : kHazards)
@@ -83,9 +107,13 @@ bool complete(const std::map<std::string, Outcome>& outcomes) {
       const auto found = outcomes.find(test.program + ":" + test.name);
       if (found != outcomes.end() && found->second.passed) continue;
       std::cerr << hazard.id << ": " << test.program << " " << test.name
-                << (found == outcomes.end() ? " does not exist" : " does not pass") << '\n';
+                << (found == outcomes.end() ? " does not exist"
+                    : found->second.skipped ? " was skipped, so nothing shows this row; run it as root"
+                                            : " does not pass")
+                << '\n';
       all = false;
     }
+  for (const Hazard& hazard : kHazards) all = timed(hazard, outcomes) && all;
   return all;
 }
 
@@ -94,19 +122,19 @@ void print(std::ostream& out, const std::map<std::string, Outcome>& outcomes) {
          "What can hurt a person or damage the robot, what must hold all the same, and the tests that show it. Made "
          "by\n"
          "`./dev docs` from `tests/hazards/hazard_table.hpp`; `./dev test docs` runs every test named here.\n\n"
-         "Time: measured on the virtual robot from the cause to the reaction, at 16 ms a cycle. Without a time the "
-         "constraint\n"
-         "holds at every moment, or at start-up. Nothing here has run on a physical robot.\n\n"
-         "| Id | Hazard | Cause | Constraint | Reaction | Time, ms | Tests |\n|---|---|---|---|---|---:|---|\n";
+         "Time: measured on the virtual robot from the cause to the reaction, at 16 ms a cycle; the longest of "
+         "a row.\n"
+         "`always`: the cause has no effect in any cycle. `start-up`, `process`, `signal`, `access`: outside of the "
+         "cycle. Nothing here\n"
+         "has run on a physical robot.\n\n"
+         "Id|Hazard|Cause|Constraint|Reaction|Time, ms|Tests\n---|---|---|---|---|---:|---\n";
   for (const Hazard& hazard : kHazards) {
-    std::string times, names;
-    for (const TestId& test : testsOf(hazard)) {
-      const std::string& measured = outcomes.at(test.program + ":" + test.name).cycles;
-      if (!measured.empty()) times += (times.empty() ? "" : ", ") + inMs(measured);
-      names += (names.empty() ? "`" : "<br>`") + test.name + "`";
-    }
-    out << "| " << hazard.id << " | " << hazard.hazard << " | " << hazard.cause << " | " << hazard.constraint << " | "
-        << hazard.reaction << " | " << times << " | " << names << " |\n";
+    std::string names;
+    for (const TestId& test : testsOf(hazard)) names += (names.empty() ? "`" : "<br>`") + test.name + "`";
+    const std::vector<long> cycles = cyclesOf(hazard, outcomes);
+    const std::string time = cycles.empty() ? std::string{hazard.untimed} : inMs(std::ranges::max(cycles));
+    out << hazard.id << '|' << hazard.hazard << '|' << hazard.cause << '|' << hazard.constraint << '|'
+        << hazard.reaction << '|' << time << '|' << names << '\n';
   }
 }
 

@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
+#include <initializer_list>
+#include <memory>
+#include <utility>
 
 #include "core/commands.hpp"
+#include "core/packet.hpp"
 #include "hal/cm730/bus.hpp"
 #include "hil-mocks/memory_line.hpp"
 #include "hil-mocks/virtual_robot.hpp"
@@ -14,12 +19,52 @@
 
 namespace darwinop {
 
+/// Passes bytes on, but for the frames that `lost` names, and a status that it damages.
+class LosingLine final : public ByteLine {
+ public:
+  explicit LosingLine(ByteLine& inner) : inner_{inner} {}
+  std::function<bool(Bytes)> lost;
+
+  [[nodiscard]] Nanos now() noexcept override { return inner_.now(); }
+  LineStatus write(Bytes bytes) noexcept override {
+    return lost && lost(bytes) ? LineStatus::kOk : inner_.write(bytes);
+  }
+  LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override {
+    const LineStatus status = inner_.read(into, count, deadline);
+    if (status == LineStatus::kOk) damage(into.first(count));
+    return status;
+  }
+  /// The error byte of this servo's next status has these bits too, and its checksum fits.
+  void damageNext(Joint joint, std::uint8_t error_bits) {
+    damaged_id_ = row(joint).id;
+    error_bits_ = error_bits;
+  }
+  void discardInput() noexcept override { inner_.discardInput(); }
+  [[nodiscard]] std::uint32_t reconnects() const noexcept override { return inner_.reconnects(); }
+
+ private:
+  void damage(std::span<std::uint8_t> bytes) {
+    for (std::size_t at = 0; error_bits_ != 0 && at + kFrameOverhead <= bytes.size(); ++at) {
+      const auto frame = bytes.subspan(at);
+      if (frame[0] != 0xFF || frame[1] != 0xFF || frame[2] != damaged_id_) continue;
+      const std::size_t body = frame[3] + std::size_t{1};  // id, length, error, parameters
+      if (frame.size() < 2 + body + 1) continue;
+      frame[4] |= std::exchange(error_bits_, std::uint8_t{0});
+      frame[2 + body] = checksum(frame.subspan(2, body));
+    }
+  }
+
+  ByteLine& inner_;
+  std::uint8_t damaged_id_ = 0, error_bits_ = 0;
+};
+
 /// Judged by the registers of the virtual servos and by the body, never by what the safety layer says of itself.
 struct HazardRig {
   static constexpr Nanos kPeriod{16'000'000};
   static constexpr long kLimit = 2000;  // cycles, 32 s: longer than any reaction
 
-  explicit HazardRig(const hil::BoardOptions& options = {}) : robot{options} {
+  explicit HazardRig(const hil::BoardOptions& options = {}, std::unique_ptr<Body> body = nullptr)
+      : robot{options, 1, std::move(body)} {
     commands.session = 1;
     commands.start_where_it_is = true;
   }
@@ -47,14 +92,32 @@ struct HazardRig {
     cyclesUntil([this] { return state() == State::kDriven && torqueCount() == kJoints; });
     run(60);  // past the gentle phase
   }
-  void fault(hil::FaultKind kind, double amount = 0) {
+  /// From now on, at every joint that the kind concerns.
+  void fault(hil::FaultKind kind, double amount = 0, Nanos lasts = hil::InjectedFault::kForEver) {
     hil::InjectedFault fault;
     fault.kind = kind;
     fault.at = line.now();
+    fault.lasts = lasts;
     fault.amount = amount;
     fault.joints.set();
     robot.faults().add(fault);
   }
+  void faultAt(Joint joint, hil::FaultKind kind, Nanos lasts = hil::Fault::kForEver, std::uint8_t bits = 0) {
+    hil::Fault fault;
+    fault.kind = kind;
+    fault.at = line.now();
+    fault.lasts = lasts;
+    fault.joints.set(index(joint));
+    fault.bits = bits;
+    robot.faults().add(fault);
+  }
+  /// Writes a servo's registers behind the loop's back, between two cycles.
+  void poke(Joint joint, std::uint8_t address, std::initializer_list<std::uint8_t> data) {
+    std::array<std::uint8_t, kMaxFrame> frame{};
+    line.write(encodeWrite(frame, row(joint).id, address, Bytes{data.begin(), data.size()}));
+    line.advanceTo(line.now() + Nanos{1'000'000});
+  }
+  [[nodiscard]] JointCommand& joint(Joint which) { return commands.joint[index(which)]; }
 
   [[nodiscard]] const Sensors& seen() const { return loop.sensors(); }
   [[nodiscard]] State state() const { return seen().safety.state; }
@@ -64,6 +127,7 @@ struct HazardRig {
   [[nodiscard]] bool torque(Joint joint) const {
     return robot.board().servo(joint).listens(robot.now()) && registers(joint).byte(servo::kTorqueEnable) != 0;
   }
+  [[nodiscard]] int position(Joint joint) const { return registers(joint).word(servo::kPresentPosition); }
   [[nodiscard]] int goal(Joint joint) const { return registers(joint).word(servo::kGoalPosition); }
   [[nodiscard]] std::size_t torqueCount() const {
     std::size_t count = 0;
@@ -73,17 +137,13 @@ struct HazardRig {
 
   hil::VirtualRobot robot;
   hil::MemoryLine line{robot};
-  cm730::Cm730Bus bus{line, cm730::BusConfig::forPeriod(kPeriod)};
+  LosingLine losing{line};
+  cm730::Cm730Bus bus{losing, cm730::BusConfig::forPeriod(kPeriod)};
   safety::Guard guard{safety::Config{}};
   runtime::Cycle loop{bus, guard, kPeriod};
   Commands commands{};
   bool controller_steps = true;
   Nanos release{0};
 };
-
-/// For docs/hazards.md, which is made from these figures.
-inline void recordCycles(long cycles) {
-  ::testing::Test::RecordProperty("cycles", std::to_string(cycles));
-}
 
 }  // namespace darwinop

@@ -1,0 +1,151 @@
+// Reactions to what a servo does or reports: rows 3xx of the hazard table.
+#include <algorithm>
+#include <cmath>
+
+#include "core/conversions.hpp"
+#include "hazards/reaction.hpp"
+
+namespace darwinop::hazards {
+namespace {
+
+using hil::FaultKind;
+
+constexpr double kHotCelsius = 68, kOverheatCelsius = 78, kLowVolt = 10.7, kEmptyVolt = 9.5;
+
+TEST_F(Reaction, HotServosSlowAllJointsDown) {
+  const auto speed = [this](Joint joint) { return rig.registers(joint).word(servo::kMovingSpeed); };
+  const auto gentle = registerFromSpeedLimit(RadPerSec{kGentleSpeed});
+  for (const Joint joint : {Joint::kNeck, Joint::kLegLowerR}) {
+    rig.joint(joint).setSpeedLimit(RadPerSec{8});
+    rig.joint(joint).setGoal(radFromTicks(rig.goal(joint) - 20));
+  }
+  rig.run(120);
+  ASSERT_GT(speed(Joint::kNeck), gentle);
+  ASSERT_GT(speed(Joint::kLegLowerR), gentle);
+  rig.fault(FaultKind::kHeat, kHotCelsius);
+  measure([&] { return speed(Joint::kNeck) <= gentle && speed(Joint::kLegLowerR) <= gentle; }, 70);
+  EXPECT_EQ(rig.state(), State::kDriven) << "slower, but driven";
+  const int before = rig.goal(Joint::kNeck);
+  rig.joint(Joint::kNeck).setGoal(Rad{1.0});
+  rig.cycle();
+  EXPECT_NE(rig.goal(Joint::kNeck), before);
+  EXPECT_LE(std::abs(rig.goal(Joint::kNeck) - before), kGentleSpeed * 0.016 / kRadPerTick + 1);
+}
+
+TEST_F(Reaction, AnOverheatedServoMakesItKneel) {
+  rig.fault(FaultKind::kHeat, kOverheatCelsius);
+  measure(isIn(State::kKneeling), 70);
+}
+
+TEST_F(Reaction, LowBatteryIsReported) {
+  rig.fault(FaultKind::kVoltage, kLowVolt);
+  measure(isActive(Fault::kBatteryLow), 130);
+  EXPECT_EQ(rig.state(), State::kDriven);
+}
+
+TEST_F(Reaction, EmptyBatteryMakesItKneel) {
+  rig.fault(FaultKind::kVoltage, kEmptyVolt);
+  measure(isIn(State::kKneeling), 130);
+}
+
+TEST_F(Reaction, AnOverloadShutdownMakesItKneel) {
+  rig.faultAt(Joint::kLegLowerR, FaultKind::kErrors, hil::Fault::kForEver, error_bit::kOverload);
+  measure(isIn(State::kKneeling), 5);
+  EXPECT_FALSE(rig.torque(Joint::kLegLowerR));
+}
+
+TEST_F(Reaction, AShutdownWithoutItsErrorBitMakesItKneel) {
+  rig.poke(Joint::kLegLowerR, servo::kTorqueLimit, {0, 0});
+  rig.poke(Joint::kLegLowerR, servo::kTorqueEnable, {0});
+  measure(isIn(State::kKneeling), 60);
+  for (int i = 0; i < 50; ++i) {
+    rig.cycle();
+    ASSERT_FALSE(rig.robot.board().servo(Joint::kLegLowerR).state().pulls()) << "nothing switches it on again";
+  }
+}
+
+TEST_F(Reaction, ASilentServoIsReported) {
+  rig.faultAt(Joint::kHead, FaultKind::kDead);
+  measure(isActive(Fault::kServoSilent), 32);
+  EXPECT_EQ(rig.state(), State::kDriven);
+}
+
+TEST_F(Reaction, OneDamagedErrorByteLeavesAJointOutForMoments) {
+  rig.losing.damageNext(Joint::kNeck, error_bit::kOverload);
+  const auto driven = [this] { return rig.seen().joint[index(Joint::kNeck)].driven; };
+  bool left_out = false;
+  const auto again = [&] {
+    EXPECT_EQ(rig.state(), State::kDriven);
+    left_out = left_out || !driven();
+    return left_out && driven() && rig.torque(Joint::kNeck);
+  };
+  measure(again, 30);
+}
+
+TEST_F(Reaction, AStreamOfTorqueLimitsHidesNoShutdown) {
+  hil::Fault jam;
+  jam.kind = FaultKind::kJam;
+  jam.at = rig.line.now();
+  jam.amount = 0.5;  // s
+  jam.joints.set(index(Joint::kLegLowerR));
+  rig.robot.faults().add(jam);
+  double limit = 2;
+  const auto stream = [&] {
+    for (JointCommand& joint : rig.commands.joint) joint.setTorqueLimit(NewtonMeter{limit});
+    limit = limit > 2 ? 1.9 : 2.1;
+  };
+  rig.cyclesUntil([&] {
+    stream();
+    return !rig.torque(Joint::kLegLowerR);
+  });
+  const auto kneels = [&] {
+    stream();
+    return rig.state() == State::kKneeling;
+  };
+  measure(kneels, 30);
+  EXPECT_FALSE(rig.torque(Joint::kLegLowerR));
+}
+
+/// Its encoder reports one position whatever it does.
+class StuckBody final : public hil::PlainBody {
+ public:
+  void step(Nanos dt, const Drives& drives) noexcept override {
+    PlainBody::step(dt, drives);
+    place(Joint::kNeck, 0.1);
+  }
+};
+
+TEST_F(ReactionAtStart, AnEncoderThatIsStuckIsReported) {
+  HazardRig stuck{{}, std::make_unique<StuckBody>()};
+  stuck.drive();
+  int cycle = 0;
+  const auto reported = [&] {
+    const bool up = (++cycle / 40) % 2 == 0;
+    stuck.joint(Joint::kNeck).setGoal(Rad{up ? 0.6 : -0.4});
+    return stuck.active(Fault::kEncoderStuck);
+  };
+  measure(stuck, reported, 250);
+}
+
+TEST_F(ReactionAtStart, AServoThatShutsItselfOffInATakeoverIsTriedTwiceAtMost) {
+  hil::Fault jam;
+  jam.kind = FaultKind::kJam;
+  jam.amount = 0.001;  // s
+  jam.joints.set(index(Joint::kLegLowerR));
+  rig.robot.faults().add(jam);
+  int attempts = 0;
+  bool was_on = false;
+  const auto believed = [&] {
+    const bool on = rig.goal(Joint::kLegLowerR) != 0 && rig.torque(Joint::kLegLowerR);
+    attempts += on && !was_on ? 1 : 0;
+    was_on = on;
+    return rig.active(Fault::kServoOverload);
+  };
+  measure(believed, 60);
+  EXPECT_LE(attempts, 2);
+  rig.run(100);
+  EXPECT_FALSE(rig.torque(Joint::kLegLowerR));
+}
+
+}  // namespace
+}  // namespace darwinop::hazards
