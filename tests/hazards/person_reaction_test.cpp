@@ -8,7 +8,7 @@ namespace {
 using hil::FaultKind;
 
 TEST_F(Reaction, ModeSwitchesAllTorqueOff) {
-  hil::Fault press;
+  hil::InjectedFault press;
   press.kind = FaultKind::kButton;
   press.at = rig.line.now();
   press.bits = 1;

@@ -102,8 +102,8 @@ struct HazardRig {
     fault.joints.set();
     robot.faults().add(fault);
   }
-  void faultAt(Joint joint, hil::FaultKind kind, Nanos lasts = hil::Fault::kForEver, std::uint8_t bits = 0) {
-    hil::Fault fault;
+  void faultAt(Joint joint, hil::FaultKind kind, Nanos lasts = hil::InjectedFault::kForEver, std::uint8_t bits = 0) {
+    hil::InjectedFault fault;
     fault.kind = kind;
     fault.at = line.now();
     fault.lasts = lasts;

@@ -49,7 +49,7 @@ TEST_F(Reaction, EmptyBatteryMakesItKneel) {
 }
 
 TEST_F(Reaction, AnOverloadShutdownMakesItKneel) {
-  rig.faultAt(Joint::kLegLowerR, FaultKind::kErrors, hil::Fault::kForEver, error_bit::kOverload);
+  rig.faultAt(Joint::kLegLowerR, FaultKind::kErrors, hil::InjectedFault::kForEver, error_bit::kOverload);
   measure(isIn(State::kKneeling), 5);
   EXPECT_FALSE(rig.torque(Joint::kLegLowerR));
 }
@@ -83,7 +83,7 @@ TEST_F(Reaction, OneDamagedErrorByteLeavesAJointOutForMoments) {
 }
 
 TEST_F(Reaction, AStreamOfTorqueLimitsHidesNoShutdown) {
-  hil::Fault jam;
+  hil::InjectedFault jam;
   jam.kind = FaultKind::kJam;
   jam.at = rig.line.now();
   jam.amount = 0.5;  // s
@@ -128,7 +128,7 @@ TEST_F(ReactionAtStart, AnEncoderThatIsStuckIsReported) {
 }
 
 TEST_F(ReactionAtStart, AServoThatShutsItselfOffInATakeoverIsTriedTwiceAtMost) {
-  hil::Fault jam;
+  hil::InjectedFault jam;
   jam.kind = FaultKind::kJam;
   jam.amount = 0.001;  // s
   jam.joints.set(index(Joint::kLegLowerR));
