@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "campaign/shard_seed.hpp"
 
 namespace darwinop {
 namespace {
@@ -48,7 +49,7 @@ class Deep {
     while (true) {
       const long shard = next_shard_++;
       if (shard * kShard >= wanted_ || failed_ >= kMostFailures) return;
-      const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(shard);
+      const std::uint64_t seed = shardSeed(seed_, static_cast<std::uint64_t>(shard));
       Campaign campaign{seed};
       // Every other shard keeps bytes whole: a reading is right or missing there, without exception.
       const bool whole = shard % 2 == 0;
