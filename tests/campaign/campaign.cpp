@@ -8,9 +8,8 @@ namespace {
 
 using hil::FaultKind;
 
-constexpr long kPeaceEvery = 5000;    // cycles
-constexpr int kRecoveryCycles = 500;  // 8 s: servo boot 0.5 s, and the gentle way to the start pose and back
-constexpr double kSlackTicks = 4;     // quantisation
+constexpr long kPeaceEvery = 5000;  // cycles
+constexpr auto kRecoveryCycles = boundAs<int>(Leniency::kRecovery);
 
 double seconds(Nanos time) {
   return std::chrono::duration<double>(time).count();
@@ -87,10 +86,26 @@ void Campaign::checkReadings(const BodyState& before, const BodyState& after) {
     // A joint that turned back within the cycle was further out in between than at both ends.
     const double speed = std::max(std::abs(then.velocity_rad_s), std::abs(now.velocity_rad_s));
     const double turn = then.velocity_rad_s * now.velocity_rad_s < 0 ? speed * seconds(kPeriod) / 2 : 0;
-    const double slack = turn + kSlackTicks * kRadPerTick;
-    if (joint.position.value >= low - slack && joint.position.value <= high + slack) continue;
-    ++(robot.board().hasTwin(static_cast<Joint>(i)) ? wrong_of_duplicates : wrong);
+    const double off = std::max(low - joint.position.value, joint.position.value - high) - turn;
+    if (off <= 0) continue;
+    if (off <= bound(Leniency::kReadingSlack) * kRadPerTick) {
+      tolerated_.note(Leniency::kReadingSlack);
+      continue;
+    }
+    const bool twin = robot.board().hasTwin(static_cast<Joint>(i));
+    ++(twin ? wrong_of_duplicates : wrong);
+    tolerated_.note(twin ? Leniency::kTwinReadings : Leniency::kWrongReadings);
   }
+}
+
+double Campaign::wrongReadingsAllowed(bool bytes_whole, long readings) {
+  return bytes_whole ? 0 : 1 + bound(Leniency::kWrongReadings) * static_cast<double>(readings);
+}
+
+Tolerated Campaign::tolerated() const {
+  Tolerated all = tolerated_;
+  all += servo_judge.tally().tolerated;
+  return all += wire_judge.tolerated();
 }
 
 bool Campaign::well() const {
@@ -118,7 +133,8 @@ void Campaign::fight(long count, double faults_per_second, hil::FaultKinds kinds
 
 void Campaign::recover() {
   for (int i = 0; i < kRecoveryCycles; ++i) {
-    if (well()) return;
+    if (well()) break;
+    if (i == 0) tolerated_.note(Leniency::kRecovery);
     cycle(controller.calm());
   }
   if (well()) return;

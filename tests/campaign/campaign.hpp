@@ -43,7 +43,11 @@ class Campaign : private hil::WireObserver {
   WildController controller;
   long cycles = 0, readings = 0, wrong = 0;
   long wrong_of_duplicates = 0;  // readings of an id that two servos have
-  double fastest = 0;            // rad/s
+  /// Readings that need not be right: on a line that damages bytes, some.
+  [[nodiscard]] static double wrongReadingsAllowed(bool bytes_whole, long readings);
+  /// What both judges and the campaign tolerated.
+  [[nodiscard]] Tolerated tolerated() const;
+  double fastest = 0;  // rad/s
 
  private:
   void request(const Frame& frame, Nanos at) noexcept override;
@@ -52,6 +56,7 @@ class Campaign : private hil::WireObserver {
   void recover();
 
   Nanos release_{0};
+  Tolerated tolerated_;
   std::string failure_;
 };
 

@@ -21,12 +21,12 @@ namespace {
 constexpr long kShard = 100'000;   // cycles: a shard that fails is run again alone in seconds
 constexpr int kMostFailures = 20;  // shards; more say nothing new
 constexpr double kFaultsPerSecond = 2;
-constexpr double kWrongReadings = 1e-4;  // share that an 8-bit sum lets pass on a line that damages bytes
 
 struct Totals {
-  long cycles = 0, readings = 0, wrong = 0, wrong_of_duplicates = 0, goals = 0;
+  long cycles = 0, readings = 0, goals = 0;
   std::array<std::uint64_t, hil::kFaultKinds> faults{};
   ServoJudge::Tally tally;
+  Tolerated tolerated;
   double fastest = 0;
 };
 
@@ -56,7 +56,7 @@ class Deep {
       campaign.fight(std::min(kShard, wanted_ - shard * kShard), kFaultsPerSecond,
                      whole ? kindsThatKeepBytesWhole() : allKinds());
       std::string failure = campaign.failure();
-      const double allowed = whole ? 0 : 1 + kWrongReadings * static_cast<double>(campaign.readings);
+      const double allowed = Campaign::wrongReadingsAllowed(whole, campaign.readings);
       if (failure.empty() && static_cast<double>(campaign.wrong) > allowed)
         failure = std::to_string(campaign.wrong) + " wrong readings passed for fresh";
       if (failure.empty() && campaign.fastest > campaign.config.max_joint_speed) failure = "a joint was too fast";
@@ -68,8 +68,7 @@ class Deep {
     const std::scoped_lock lock{mutex_};
     totals_.cycles += campaign.cycles;
     totals_.readings += campaign.readings;
-    totals_.wrong += campaign.wrong;
-    totals_.wrong_of_duplicates += campaign.wrong_of_duplicates;
+    totals_.tolerated += campaign.tolerated();
     totals_.goals += campaign.wire_judge.goalsSeen();
     totals_.tally += campaign.servo_judge.tally();
     totals_.fastest = std::max(totals_.fastest, campaign.fastest);
@@ -106,10 +105,7 @@ class Deep {
         "%ld limp joints, %ld outages, %ld releases, %ld shutdowns\n",
         tally.edges, tally.steps, totals_.goals, totals_.readings, tally.limp_looks, tally.outages, tally.releases,
         tally.trips);
-    std::printf(
-        "not judged: %ld damaged writes with a right checksum, %ld late ones; shutdowns undone "
-        "unseen %ld times; %ld wrong readings with a right checksum, %ld more of duplicate ids\n",
-        tally.damaged, tally.late, tally.blind, totals_.wrong, totals_.wrong_of_duplicates);
+    std::fputs(darwinop::report(totals_.tolerated).c_str(), stdout);
     std::printf("fastest joint %.2f rad/s\n", totals_.fastest);
     if (failed_ == 0)
       std::puts("result: every promise held");

@@ -11,16 +11,16 @@
 namespace darwinop {
 namespace {
 
-constexpr int kNear = 9;         // ticks: two readings that agree within 8.5
-constexpr int kPatience = 5;     // unanswered requests in a row that must not count as a lost board; docs/faults.md 10
-constexpr int kHeldCycles = 17;  // MODE for 0.25 s at 16 ms, and one
-constexpr int kLimpAfter = 80;   // cycles: a lost "torque off" is noticed by the next poll of the servo, and repeated
-constexpr int kForgotten = 6;    // cycles without an answer after which a joint is taken over again
-constexpr int kLate = 2;         // cycles
-constexpr int kGrace = 20;       // cycles under torque before an overload bit is believed; docs/faults.md 24
-constexpr int kEarlyTrips = 20;  // so often is a joint placed again, each time where it is; docs/faults.md 12
-constexpr int kPollRound = 64;   // cycles: every servo has been polled, and a lost answer or two
-constexpr int kUntrustedFor = 80;  // cycles
+constexpr int kPatience = 5;  // unanswered requests in a row that must not count as a lost board; docs/faults.md 10
+constexpr auto kNear = boundAs<int>(Leniency::kNearJoint);
+constexpr auto kHeldCycles = boundAs<int>(Leniency::kShortPress);
+constexpr auto kLimpAfter = boundAs<int>(Leniency::kStillStiff);
+constexpr auto kForgotten = boundAs<int>(Leniency::kUnseenRestart);
+constexpr auto kLate = boundAs<int>(Leniency::kLateWrite);
+constexpr auto kGrace = boundAs<int>(Leniency::kEarlyBit);
+constexpr auto kEarlyTrips = boundAs<int>(Leniency::kEarlyTrips);
+constexpr auto kPollRound = boundAs<int>(Leniency::kNoSpeedLimit);
+constexpr auto kUntrustedFor = boundAs<int>(Leniency::kUntrusted);
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
 
 bool carriesGoal(std::uint8_t address, std::size_t size) {
@@ -34,24 +34,11 @@ int goalIn(Bytes data, std::uint8_t address) {
 
 }  // namespace
 
-ServoJudge::Tally& ServoJudge::Tally::operator+=(const Tally& other) {
-  edges += other.edges;
-  steps += other.steps;
-  trips += other.trips;
-  releases += other.releases;
-  outages += other.outages;
-  limp_looks += other.limp_looks;
-  late += other.late;
-  blind += other.blind;
-  damaged += other.damaged;
-  for (std::size_t i = 0; i < kPromises; ++i) broken[i] += other.broken[i];
-  return *this;
-}
-
 ServoJudge::ServoJudge(hil::VirtualRobot& robot, const safety::Config& config)
     : robot_{robot},
       config_{config},
-      max_step_{config.max_joint_speed * std::chrono::duration<double>(config.period).count() / kRadPerTick + 1.0} {
+      max_step_{config.max_joint_speed * std::chrono::duration<double>(config.period).count() / kRadPerTick +
+                bound(Leniency::kRounding)} {
   robot_.board().observe(this);
   for (std::size_t i = 0; i < kJoints; ++i) servo_[i].position.fill(truth(static_cast<Joint>(i)));
 }
@@ -126,7 +113,9 @@ void ServoJudge::personActs() {
 /// MODE and RESET are how a person releases the robot. START, pressed while it is at rest, takes that back.
 void ServoJudge::notePerson(const Sensors& seen) {
   if (!seen.board.motion.fresh()) return;
-  mode_held_ = (seen.board.buttons & kModeButton) != 0 ? mode_held_ + 1 : 0;
+  const bool mode = (seen.board.buttons & kModeButton) != 0;
+  if (!mode && mode_held_ > 0 && mode_held_ < kHeldCycles) tolerate(Leniency::kShortPress);
+  mode_held_ = mode ? mode_held_ + 1 : 0;
   if (mode_held_ == kHeldCycles) release();
 
   power_off_seen_ = seen.board.servo_power ? 0 : power_off_seen_ + 1;
@@ -142,9 +131,13 @@ void ServoJudge::notePerson(const Sensors& seen) {
 /// "limp" means that no servo that answers holds its joint.
 void ServoJudge::judgeLimp(const Sensors& seen) {
   limp_for_ = seen.safety.state == State::kLimp ? limp_for_ + 1 : 0;
-  if (limp_for_ < kLimpAfter) return;
+  if (limp_for_ == 0) return;
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
+    if (limp_for_ < kLimpAfter) {
+      if (robot_.board().servo(joint).state().pulls()) tolerate(Leniency::kStillStiff);
+      continue;
+    }
     if (servo_[i].answered < kLimpAfter || servo_[i].untrusted_until > cycle_) continue;
     ++tally_.limp_looks;
     if (robot_.board().servo(joint).state().pulls())
@@ -162,6 +155,7 @@ void ServoJudge::judgeSpeedLimits(const Sensors& seen) {
     const bool unlimited = now.pulls() && now.speed == 0 && servo.silent == 0 && !seen.safety.tripped[i] &&
                            servo.untrusted_until <= cycle_;
     servo.unlimited_for = unlimited ? servo.unlimited_for + 1 : 0;
+    if (unlimited) tolerate(Leniency::kNoSpeedLimit);
     if (servo.unlimited_for > kPollRound)
       blame(Promise::kSpeedLimit, joint, "for long under torque without a speed limit");
   }
@@ -209,6 +203,7 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   const Sent* sent = findSent(servo, address, data);
   if (sent == nullptr) {
     ++tally_.damaged;
+    tolerate(Leniency::kUntrusted);
     note(joint, "damaged write");
     servo.untrusted_until = cycle_ + kUntrustedFor;
     return;
@@ -219,7 +214,9 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
               : address == servo::kLock         ? "lock written"
                                                 : "goal and settings written");
   // A goal that went into a cable that was out is one that nobody saw; the next one waits for an answer.
-  const std::uint32_t goals = sent->goals - servo.goals_arrived + (port_lost_at_ >= servo.goal_at - 1 ? 1 : 0);
+  const bool in_cable = port_lost_at_ >= servo.goal_at - 1;
+  const std::uint32_t goals =
+      sent->goals - servo.goals_arrived + (in_cable ? boundAs<std::uint32_t>(Leniency::kGoalInCable) : 0);
   const bool with_goal = carriesGoal(address, data.size());
   const bool repeated = sent->goals == servo.goals_arrived;  // by the line
   if (with_goal) {
@@ -229,9 +226,9 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   if (address == servo::kTorqueLimit && before.torque_limit == 0) noteErasedTrip(joint);
   const bool late = sent->cycle < servo.powered_at || cycle_ - sent->cycle > kLate;
   if (!before.pulls() && after.pulls()) servo.pulls_since = cycle_;
-  if (servo.untrusted_until > cycle_) return;
+  if (servo.untrusted_until > cycle_) return tolerate(Leniency::kUntrusted);
   if (late && with_goal && !repeated) judgeLate(joint, *sent, before, after, goals);
-  if (late) return;
+  if (late) return tolerate(Leniency::kLateWrite);
   if (!before.pulls() && after.pulls()) judgeEdge(joint, after);
   if (servo.untrusted_until > cycle_) return;
   // Other writes neither switch torque on nor move the joint: judgeSpeedLimits().
@@ -246,7 +243,7 @@ void ServoJudge::judgeEdge(Joint joint, const hil::ServoState& after) {
   const int gentle = registerFromSpeedLimit(RadPerSec{config_.gentle_speed});
   if (released_) blame(Promise::kRelease, joint, "torque came on after a person released the robot");
   if (judgeShortOutage(joint, after) || undoesUnseenTrip(joint)) return;
-  if (!nearJoint(joint, after.goal))
+  if (!acceptsGoal(joint, after.goal))
     blame(Promise::kGoalAtJoint, joint,
           "torque came on with the goal " + std::to_string(after.goal - truth(joint)) + " ticks away");
   if (after.speed == 0 || after.speed > gentle)
@@ -259,7 +256,9 @@ void ServoJudge::judgeEdge(Joint joint, const hil::ServoState& after) {
 void ServoJudge::judgeLate(Joint joint, const Sent& sent, const hil::ServoState& before, const hil::ServoState& after,
                            std::uint32_t goals) {
   ++tally_.late;
-  if (++servo_[index(joint)].late_goals > 1) blame(Promise::kStep, joint, "more than one goal carried out late");
+  tolerate(Leniency::kLateGoal);
+  if (++servo_[index(joint)].late_goals > boundAs<int>(Leniency::kLateGoal))
+    blame(Promise::kStep, joint, "more than one goal carried out late");
   const int gentle = registerFromSpeedLimit(RadPerSec{config_.gentle_speed});
   if (sent.at_joint && after.speed > 0 && after.speed <= gentle) return;
   if (before.pulls() && after.goal != before.goal) judgeStep(joint, before, after, goals);
@@ -272,8 +271,9 @@ bool ServoJudge::judgeShortOutage(Joint joint, const hil::ServoState& after) {
   const long cycles = cycle_ - servo.lost_at;
   if (cycles > kForgotten) return false;
   servo.unlimited_until = cycle_ + kPollRound;
+  tolerate(Leniency::kUnseenRestart);
   const int step = std::abs(after.goal - servo.lost_goal);
-  if (step <= max_step_ * static_cast<double>(cycles + 1) || nearJoint(joint, after.goal)) return true;
+  if (step <= max_step_ * static_cast<double>(cycles + 1) || acceptsGoal(joint, after.goal)) return true;
   blame(Promise::kStep, joint, "goal moved by " + std::to_string(step) + " ticks in a short outage");
   return true;
 }
@@ -281,8 +281,9 @@ bool ServoJudge::judgeShortOutage(Joint joint, const hil::ServoState& after) {
 /// A servo that shuts itself off between its answer and the next write, which carries a new torque limit: the write
 /// cannot know. Its goal goes on from a moment ago.
 bool ServoJudge::undoesUnseenTrip(Joint joint) {
-  if (cycle_ - servo_[index(joint)].tripped_at > 1) return false;
+  if (cycle_ - servo_[index(joint)].tripped_at > boundAs<int>(Leniency::kBlindTrip)) return false;
   ++tally_.blind;
+  tolerate(Leniency::kBlindTrip);
   --servo_[index(joint)].trips;
   return true;
 }
@@ -291,8 +292,9 @@ bool ServoJudge::undoesUnseenTrip(Joint joint) {
 /// until the joint is taken over.
 void ServoJudge::noteErasedTrip(Joint joint) {
   Servo& servo = servo_[index(joint)];
-  if (cycle_ - servo.tripped_at > 1 || servo.trips == 0) return;
+  if (cycle_ - servo.tripped_at > boundAs<int>(Leniency::kBlindTrip) || servo.trips == 0) return;
   ++tally_.blind;
+  tolerate(Leniency::kBlindTrip);
   --servo.trips;
   if (++servo.early_trips > kEarlyTrips)
     blame(Promise::kTrip, joint, "shut itself off again and again, and no limit 0 was seen");
@@ -306,7 +308,9 @@ void ServoJudge::judgeStep(Joint joint, const hil::ServoState& before, const hil
   // After a restart that was too short to be noticed it goes on from where it was, as in judgeShortOutage().
   const int lost = cycle_ - servo.lost_at <= kForgotten ? std::abs(after.goal - servo.lost_goal) : kTickMax;
   const int step = std::min(std::abs(after.goal - before.goal), lost);
-  if (step > max_step_ * std::max(goals, 1U) && !nearJoint(joint, after.goal))
+  if (step > max_step_ - bound(Leniency::kRounding)) tolerate(Leniency::kRounding);
+  if (step > max_step_ && goals > 1) tolerate(Leniency::kGoalAfterLimit);
+  if (step > max_step_ * std::max(goals, 1U) && !acceptsGoal(joint, after.goal))
     blame(Promise::kStep, joint, "goal moved by " + std::to_string(step) + " ticks");
 }
 
@@ -328,15 +332,26 @@ void ServoJudge::changed(Joint joint, hil::ServoEvent event, const hil::ServoSta
   if (servo.untrusted_until > cycle_) return;
   // One that is being taken over may have its torque from before: it is tried again, like any that comes under torque.
   if (!servo.driven || cycle_ - std::max(servo.pulls_since, servo.driven_since) <= kGrace) {
+    tolerate(servo.driven ? Leniency::kEarlyBit : Leniency::kEarlyTrips);
     if (++servo.early_trips > kEarlyTrips)
       blame(Promise::kTrip, joint, "shut itself off again and again when taken over");
     return;
   }
-  if (++servo.trips >= 2) blame(Promise::kTrip, joint, "shut itself off twice before it was believed");
+  tolerate(Leniency::kFirstTrip);
+  if (++servo.trips > boundAs<int>(Leniency::kFirstTrip))
+    blame(Promise::kTrip, joint, "shut itself off twice before it was believed");
 }
 
 double ServoJudge::truth(Joint joint) const {
   return robot_.board().body().state().joint[index(joint)].position_rad / kRadPerTick + kTickCentre;
+}
+
+bool ServoJudge::acceptsGoal(Joint joint, int goal) {
+  const double off = std::abs(goal - truth(joint));
+  const bool accepted = nearJoint(joint, goal);
+  if (accepted && off > kNear) tolerate(Leniency::kRecentPosition);
+  if (accepted && off > 1 && off <= kNear) tolerate(Leniency::kNearJoint);
+  return accepted;
 }
 
 /// At the joint, or where the joint has been in the last cycles, moved into its range.
@@ -349,32 +364,6 @@ bool ServoJudge::nearJoint(Joint joint, int goal) const {
   if (std::abs(goal - now) <= kNear) return true;
   return goal >= std::clamp(std::min(lowest, now), low, high) - kNear &&
          goal <= std::clamp(std::max(highest, now), low, high) + kNear;
-}
-
-void ServoJudge::note(Joint joint, const char* what) {
-  Servo& servo = servo_[index(joint)];
-  servo.history[servo.happened++ % kHistory] = {cycle_, what, robot_.board().servo(joint).state(), truth(joint)};
-}
-
-std::string ServoJudge::historyOf(Joint joint) const {
-  const Servo& servo = servo_[index(joint)];
-  std::string text = "\n  state " + std::string{kStateNames[static_cast<std::size_t>(state_)]};
-  for (std::size_t i = servo.happened > kHistory ? servo.happened - kHistory : 0; i < servo.happened; ++i) {
-    const auto& [cycle, what, state, position] = servo.history[i % kHistory];
-    text += "\n  cycle " + std::to_string(cycle) + ": " + what + "; torque " + (state.torque_enable ? "on" : "off") +
-            ", limit " + std::to_string(state.torque_limit) + ", speed " + std::to_string(state.speed) + ", goal " +
-            std::to_string(state.goal) + ", joint at " + std::to_string(static_cast<int>(position));
-  }
-  return text;
-}
-
-void ServoJudge::blame(Promise promise, Joint joint, const std::string& what) {
-  blame(promise, std::string{row(joint).name} + ": " + what + (failure_.empty() ? historyOf(joint) : ""));
-}
-
-void ServoJudge::blame(Promise promise, const std::string& what) {
-  ++tally_.broken[static_cast<std::size_t>(promise)];
-  if (failure_.empty()) failure_ = "cycle " + std::to_string(cycle_) + ": " + what;
 }
 
 }  // namespace darwinop

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "campaign/leniencies.hpp"
 #include "core/commands.hpp"
 #include "core/sensors.hpp"
 #include "hil-mocks/memory_line.hpp"
@@ -70,6 +71,7 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     long blind = 0;       // shutdowns undone by a write that left before any answer could report them
     long damaged = 0;     // writes that nobody sent: damaged, and their checksum right by chance
     std::array<long, kPromises> broken{};
+    Tolerated tolerated;
     Tally& operator+=(const Tally& other);
   };
   [[nodiscard]] const Tally& tally() const { return tally_; }
@@ -83,8 +85,8 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     std::array<std::uint8_t, 8> data{};
     bool at_joint = false;  // its goal was where the joint was when it was sent
   };
-  static constexpr std::uint32_t kSentRoom = 256;    // a board that stalls executes seconds of requests at once
-  static constexpr std::size_t kPositionWindow = 8;  // cycles
+  static constexpr std::uint32_t kSentRoom = 256;  // a board that stalls executes seconds of requests at once
+  static constexpr auto kPositionWindow = boundAs<std::size_t>(Leniency::kRecentPosition);
 
   /// For the report of a broken promise.
   struct Happening {
@@ -135,6 +137,8 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
   void personActs();
   [[nodiscard]] const Sent* findSent(Servo& servo, std::uint8_t address, Bytes data) const;
   [[nodiscard]] bool nearJoint(Joint joint, int goal) const;
+  [[nodiscard]] bool acceptsGoal(Joint joint, int goal);
+  void tolerate(Leniency leniency, long times = 1) { tally_.tolerated.note(leniency, times); }
   [[nodiscard]] double truth(Joint joint) const;
   void note(Joint joint, const char* what);
   [[nodiscard]] std::string historyOf(Joint joint) const;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "campaign/leniencies.hpp"
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
 #include "core/packet.hpp"
@@ -21,7 +22,9 @@ namespace darwinop {
 class WireJudge final : public hil::WireObserver {
  public:
   WireJudge(hil::VirtualRobot& robot, Nanos period, double max_joint_speed)
-      : robot_{robot}, max_step_{max_joint_speed * std::chrono::duration<double>(period).count() / kRadPerTick + 1.0} {}
+      : robot_{robot},
+        max_step_{max_joint_speed * std::chrono::duration<double>(period).count() / kRadPerTick +
+                  bound(Leniency::kRounding)} {}
 
   void beginCycle() {
     // Two devices with one id answer at once; what is left of it can be a wrong position with a right checksum.
@@ -29,10 +32,12 @@ class WireJudge final : public hil::WireObserver {
       if (robot_.board().hasTwin(static_cast<Joint>(i))) twin_seen_[i] = cycle_;
     ++cycle_;
     sync_writes_ = bulk_reads_ = 0;
+    const bool was_out = cable_out_;
     limited_.reset();
     given_.reset();
     torque_ = false;
     cable_out_ = !robot_.portOpen();
+    blind_ = was_out || cable_out_ || replugs_ != robot_.replugs();
     replugs_ = robot_.replugs();
   }
   /// A joint that is not driven starts again with its next goal.
@@ -45,19 +50,26 @@ class WireJudge final : public hil::WireObserver {
       if (limited_[joint] && !given_[joint]) ++waited_[joint];
     const bool lost = sync_writes_ == 0 && (cable_out_ || !robot_.portOpen() || robot_.replugs() != replugs_);
     if (lost) step_unseen_.set();
+    for (std::size_t joint = 0; joint < kJoints; ++joint)
+      if (seen.joint[joint].motion.fresh())
+        strains_[joint] = std::abs(seen.joint[joint].load) * kTorqueMax >=
+                          bound(Leniency::kSecondSyncWrite) * std::min(limit_[joint], limit_before_[joint]);
   }
   void request(const Frame& frame, Nanos at) noexcept override {
     (void)at;
     if (frame.code == static_cast<std::uint8_t>(Instruction::kBulkRead) && ++bulk_reads_ > 1) blame("two BulkReads");
     if (frame.code != static_cast<std::uint8_t>(Instruction::kSyncWrite)) return;
-    // Two while a servo works at its torque limit, when limits must not go with its goal; that there is such a servo is
-    // not checked here.
     if (++sync_writes_ > 2) blame("three SyncWrites");
+    if (sync_writes_ == 2) {
+      tolerated_.note(Leniency::kSecondSyncWrite);
+      if (strains_.none() && !blind_) blame("two SyncWrites, and no servo works at its torque limit");
+    }
     judgeSyncWrite(frame.params);
   }
   void reply(Bytes bytes, Nanos at) noexcept override { (void)bytes, (void)at; }
 
   [[nodiscard]] const std::string& failure() const { return failure_; }
+  [[nodiscard]] const Tolerated& tolerated() const { return tolerated_; }
   [[nodiscard]] long goalsSeen() const { return goals_; }
 
  private:
@@ -72,6 +84,7 @@ class WireJudge final : public hil::WireObserver {
       const std::size_t joint = params[at] - 1U;
       if (joint >= kJoints) return blame("a servo that does not exist");
       if (limits) {
+        noteLimit(joint, wordAt(params, at + 1));
         limited_.set(joint);
         continue;
       }
@@ -79,9 +92,17 @@ class WireJudge final : public hil::WireObserver {
         if (params[at + 1] == 0) goal_[joint].reset();
         continue;
       }
+      if (address + length >= servo::kTorqueLimit + 2)
+        noteLimit(joint, wordAt(params, at + 1 + (servo::kTorqueLimit - address)));
       const std::size_t goal_at = at + 1 + (servo::kGoalPosition - address);
       judgeGoal(joint, wordAt(params, goal_at));
     }
+  }
+
+  /// The servo has this one or, when the frame is lost, the one before.
+  void noteLimit(std::size_t joint, int limit) {
+    limit_before_[joint] = limit_[joint];
+    limit_[joint] = limit;
   }
 
   void judgeGoal(std::size_t joint, int ticks) {
@@ -89,10 +110,14 @@ class WireJudge final : public hil::WireObserver {
     const JointRow& r = kJointTable[joint];
     if (ticks < r.low || ticks > r.high) blame(std::string{r.name} + " goal out of limits: " + std::to_string(ticks));
     if (given_[joint]) blame(std::string{r.name} + " got two goals in one cycle");
-    const int steps = 1 + (step_unseen_[joint] ? 1 : 0) + waited_[joint];
-    if (goal_[joint] && std::abs(ticks - *goal_[joint]) > max_step_ * steps)
+    const int unseen = step_unseen_[joint] ? boundAs<int>(Leniency::kGoalInCable) : 0;
+    const int waited = waited_[joint] * boundAs<int>(Leniency::kGoalAfterLimit);
+    const int step = goal_[joint] ? std::abs(ticks - *goal_[joint]) : 0;
+    if (step > max_step_ && unseen > 0) tolerated_.note(Leniency::kGoalInCable);
+    if (step > max_step_ && waited > 0) tolerated_.note(Leniency::kGoalAfterLimit);
+    if (step > max_step_ * (1 + unseen + waited))
       blame(std::string{r.name} + " jumped " + std::to_string(ticks - *goal_[joint]) + " ticks");
-    if (!goal_[joint] && cycle_ - twin_seen_[joint] > kTwinForgotten) judgeFirst(joint, ticks);
+    if (!goal_[joint] && cycle_ - twin_seen_[joint] > boundAs<long>(Leniency::kUntrusted)) judgeFirst(joint, ticks);
     goal_[joint] = ticks;
     step_unseen_.reset(joint);
     waited_[joint] = 0;
@@ -103,8 +128,8 @@ class WireJudge final : public hil::WireObserver {
   void judgeFirst(std::size_t joint, int ticks) {
     const double truth = robot_.body().state().joint[joint].position_rad / kRadPerTick + kTickCentre;
     const double expected = std::clamp<double>(truth, kJointTable[joint].low, kJointTable[joint].high);
-    // 0.1 rad: a joint that swings by itself moves on between the reading and the write.
-    if (std::abs(ticks - expected) > 65)
+    if (std::abs(ticks - expected) > bound(Leniency::kNearJoint)) tolerated_.note(Leniency::kFirstGoal);
+    if (std::abs(ticks - expected) > bound(Leniency::kFirstGoal))
       blame(std::string{kJointTable[joint].name} + " taken over " + std::to_string(ticks - expected) + " ticks off");
   }
 
@@ -114,7 +139,6 @@ class WireJudge final : public hil::WireObserver {
 
   hil::VirtualRobot& robot_;
   double max_step_;
-  static constexpr long kTwinForgotten = 80;  // cycles
   std::array<std::optional<int>, kJoints> goal_{};
   std::array<long, kJoints> twin_seen_ = [] {
     std::array<long, kJoints> never{};
@@ -125,8 +149,11 @@ class WireJudge final : public hil::WireObserver {
   bool torque_ = false;
   int sync_writes_ = 0, bulk_reads_ = 0;
   std::bitset<kJoints> step_unseen_, limited_, given_;
-  std::array<int, kJoints> waited_{};  // cycles without a goal, for a limit, since the last goal
-  bool cable_out_ = false;
+  std::array<int, kJoints> waited_{};                  // cycles without a goal, for a limit, since the last goal
+  std::array<int, kJoints> limit_{}, limit_before_{};  // torque limits sent
+  std::bitset<kJoints> strains_;                       // works at its torque limit, by what the PC reads
+  bool cable_out_ = false, blind_ = false;             // blind: a frame may have been lost in the cable
+  Tolerated tolerated_;
   std::uint32_t replugs_ = 0;
   long goals_ = 0;
   std::string failure_;
