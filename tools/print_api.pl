@@ -133,7 +133,8 @@ for my $name (sort { lc $a cmp lc $b } grep { !$class{$_}{struct} && $_ ne 'Abse
   }
   (my $link = $class{$name}{file}) =~ s{^}{../};
   my $title = "[`$name`]($link)";
-  if (@{$by_mark{absent} // []} > @members / 2) {
+  my $absent = @{$by_mark{absent} // []};
+  if ($absent > 0 && @members - $absent < 5) {  # one row is enough
     my %seen;
     my $names = join ' ', map { "`$_`" } grep { !$seen{$_}++ } map { $_->{name} } @{$by_mark{absent}};
     my $works = join ' ', map { "`$_->{name}`" } grep { mark($name, $_) ne 'absent' } @members;

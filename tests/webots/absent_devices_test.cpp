@@ -2,7 +2,11 @@
 // once.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
 #include <utility>
 #include <webots/Camera.hpp>
 #include <webots/GPS.hpp>
@@ -45,8 +49,8 @@ std::string line(const std::string& text) {
   return "darwinop: " + text + "\n";
 }
 
-TEST_F(AbsentDevicesTest, AControllerThatUsesEveryMemberRuns) {
-  TestSupervisor supervisor{makeImpl()};
+/// All but the speaker, which would play.
+void useEverything(webots::Supervisor& supervisor) {
   useRobot(&supervisor);
   useMotors(&supervisor);
   useSensors(&supervisor);
@@ -55,7 +59,34 @@ TEST_F(AbsentDevicesTest, AControllerThatUsesEveryMemberRuns) {
   useAbsentSensors(&supervisor);
   useAbsentActuators(&supervisor);
   useWorld(&supervisor);
+}
+
+TEST_F(AbsentDevicesTest, AControllerThatUsesEveryMemberRuns) {
+  TestSupervisor supervisor{makeImpl()};
+  useEverything(supervisor);
   EXPECT_EQ(supervisor.step(16), 0);
+}
+
+TEST_F(AbsentDevicesTest, OnTheVirtualRobotEveryMemberIsUsedTwiceAndNoLineIsRepeated) {
+  setenv("DARWINOP_ROBOT", "virtual", 1);
+  setenv("DARWINOP_KEEP_CWD", "1", 1);
+  setenv("DARWINOP_KEYS", "none", 1);
+  webots::Supervisor supervisor;
+  testing::internal::CaptureStderr();
+  useEverything(supervisor);
+  useEverything(supervisor);
+  EXPECT_EQ(supervisor.step(16), 0);
+  std::istringstream log{testing::internal::GetCapturedStderr()};
+  std::map<std::string, int> times;
+  for (std::string text; std::getline(log, text);) ++times[text];
+#define ROW(CLASS)                                                \
+  EXPECT_TRUE(std::ranges::any_of(times, [](const auto& row) {    \
+    return row.first.find("get" #CLASS "(") != std::string::npos; \
+  })) << #CLASS;
+  DARWINOP_ABSENT_DEVICES(ROW)
+#undef ROW
+  for (const auto& [text, count] : times) EXPECT_EQ(count, 1) << text;
+  for (const char* name : {"DARWINOP_ROBOT", "DARWINOP_KEEP_CWD", "DARWINOP_KEYS"}) unsetenv(name);
 }
 
 TEST_F(AbsentDevicesTest, ADeviceOfAnotherRobotIsNullAndReportedOncePerName) {

@@ -112,6 +112,13 @@ class Camera : public Device {
   /// Absent here: writes no file and returns -1, with one warning; `quality` 1 to 100 is ignored.
   int saveRecognitionSegmentationImage(const std::string& filename, int quality) const;
 
+  /// Absent here: NULL. 2013: distances in m of a depth camera, today RangeFinder.
+  const float* getRangeImage() const { return 0; }
+  /// Absent here: 0 m, as getRangeImage().
+  double getMaxRange() const { return 0; }
+  /// Distance in m of pixel x, y of a range image that is `width` pixels wide. No range check.
+  static float rangeImageGetDepth(const float* image, int width, int x, int y) { return image[y * width + x]; }
+
   /// Whether the robot's camera has this size in pixels; docs/camera.md lists the sizes.
   static bool checkResolution(int width, int height);
   /// Red, 0 to 255, of pixel x, y (0 at the top left) of a BGRA image that is `width` pixels wide. No range check.

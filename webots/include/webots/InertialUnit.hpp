@@ -15,6 +15,10 @@ class InertialUnit : public AbsentSensor {
   virtual const double* getQuaternion() const = 0;
   /// Standard deviation of the noise in rad.
   virtual double getNoise() const = 0;
+  /// Number of rows of getLookupTable(). Until 2020.
+  virtual int getLookupTableSize() const = 0;
+  /// Rows of three numbers: angle in rad, returned value, noise. Until 2020.
+  virtual const double* getLookupTable() const = 0;
 };
 
 }  // namespace webots

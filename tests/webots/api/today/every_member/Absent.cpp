@@ -74,6 +74,8 @@ void useAbsentSensors(Robot *robot) {
     unit->getRollPitchYaw();
     unit->getQuaternion();
     unit->getNoise();
+    unit->getLookupTableSize();
+    unit->getLookupTable();
   }
 
   Lidar *lidar = robot->getLidar("lidar");

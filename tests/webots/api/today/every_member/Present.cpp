@@ -212,6 +212,9 @@ void useCamera(Robot *robot) {
   camera->getType();
   camera->saveImage("picture.png", 100);
   Camera::checkResolution(320, 240);
+  const float *range = camera->getRangeImage();
+  if (range != NULL && Camera::rangeImageGetDepth(range, width, 0, 0) > camera->getMaxRange())
+    return;
   camera->hasRecognition();
   camera->recognitionEnable(32);
   camera->getRecognitionSamplingPeriod();
