@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Each installed header compiles by itself, as the C++98 of the robot's compiler and with every warning that a user may turn on.
+# Each installed header compiles by itself, and all of them together, as the C++98 of the robot's compiler, with every
+# warning that a user may turn on.
 #   headers_alone.sh SOURCE_DIRECTORY
 set -euo pipefail
 cd "$1"
@@ -19,4 +20,11 @@ failed=0
 while IFS= read -r header; do
   compiles "$header" || failed=1
 done < <(find webots/include managers/include -name '*.hpp')
+
+# All of them, with all namespaces opened at once, as upstream's examples do.
+all=$(mktemp --suffix=.cpp)
+trap 'rm -f "$lame" "$all"' EXIT
+find "$PWD/webots/include" "$PWD/managers/include" -name '*.hpp' | sort | sed 's/.*/#include "&"/' >"$all"
+echo 'using namespace std; using namespace webots; using namespace managers; Robot *robot; Node *node; Motion *motion;' >>"$all"
+compiles "$all" || failed=1
 exit $failed
