@@ -5,7 +5,6 @@
 
 #include "webots/messages.hpp"
 #include "webots/notices.hpp"
-#include "webots/robot_impl.hpp"
 
 namespace webots {
 
