@@ -31,7 +31,7 @@ void Motion::setTime(int time) {
 }
 
 int Motion::getDuration() const {
-  return static_cast<int>(playback_->duration().count());
+  return static_cast<int>((playback_->duration() + playback_->leadInLeft()).count());
 }
 int Motion::getTime() const {
   return static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(playback_->time()).count());

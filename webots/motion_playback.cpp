@@ -2,6 +2,8 @@
 #include "webots/motion_playback.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "core/goals/present_goal.hpp"
@@ -48,7 +50,20 @@ MotionPlayback::~MotionPlayback() {
 }
 
 void MotionPlayback::play() {
-  if (!valid_ || playing_) return;
+  if (!valid_) return;
+  const RobotImpl* const robot = currentRobot();
+  const Nanos now = robot ? robot->session().time() : Nanos{0};
+  if (playing_) {
+    if (loop_ || now - asked_ < duration()) return;
+    ++again_;
+    asked_ = now;
+    return;
+  }
+  asked_ = now;
+  begin();
+}
+
+void MotionPlayback::begin() {
   if (isAtEnd()) time_ = start();
   last_.reset();
   lead_in_ = {};
@@ -71,7 +86,19 @@ void MotionPlayback::advance(RobotImpl& robot, Nanos now) {
   else if (begun)
     goOn(passed);
   setMotors(robot);
-  if (isOver()) playing_ = false;
+  if (!isOver()) return;
+  playing_ = false;
+  if (again_ == 0) return;
+  --again_;
+  begin();
+}
+
+std::chrono::milliseconds MotionPlayback::leadInLeft() const {
+  const RobotImpl* const robot = currentRobot();
+  if (!playing_ || !robot) return {};
+  const double left_ms = last_ ? (isLeading() ? lead_in_.remainingMs() : 0) : leadIn(*robot).durationMs();
+  const int step_ms = std::max(1, robot->config().time_step_ms);
+  return std::chrono::milliseconds{static_cast<std::int64_t>(std::ceil(left_ms / step_ms)) * step_ms};
 }
 
 void MotionPlayback::goOn(Nanos passed) {

@@ -24,12 +24,20 @@ class MotionPlayback {
   MotionPlayback& operator=(const MotionPlayback&) = delete;
 
   [[nodiscard]] bool isValid() const { return valid_; }
+  /// While it plays, without effect, unless it were over by now without the slow move to its first pose: then a
+  /// controller has waited for the file's duration, and the motion is played once more after its end.
   void play();
-  void stop() { playing_ = false; }
+  void stop() {
+    playing_ = false;
+    again_ = 0;
+  }
   void setLoop(bool loop) { loop_ = loop; }
   void setReverse(bool reverse) { reverse_ = reverse; }
   void setTime(std::chrono::milliseconds time);
   [[nodiscard]] std::chrono::milliseconds duration() const { return std::chrono::milliseconds{text_.duration_ms}; }
+  /// What the slow move to the first pose still takes, in whole time steps; before the first step after play(), what it
+  /// will take.
+  [[nodiscard]] std::chrono::milliseconds leadInLeft() const;
   [[nodiscard]] Nanos time() const { return time_; }
   [[nodiscard]] bool isOver() const { return !valid_ || (!loop_ && isAtEnd() && !isLeading()); }
 
@@ -46,6 +54,7 @@ class MotionPlayback {
   [[nodiscard]] bool isAtEnd() const { return time_ == (reverse_ ? Nanos{0} : Nanos{duration()}); }
   [[nodiscard]] bool isLeading() const { return playing_ && !lead_in_.done(); }
   [[nodiscard]] goals::LeadIn leadIn(const RobotImpl& robot) const;
+  void begin();
   void goOn(Nanos passed);
   void setMotors(RobotImpl& robot) const;
 
@@ -53,6 +62,8 @@ class MotionPlayback {
   bool valid_ = false, playing_ = false, loop_ = false, reverse_ = false;
   Nanos time_{0};              // 0 to duration()
   std::optional<Nanos> last_;  // robot's clock in the previous step; empty: no step since play()
+  Nanos asked_{0};             // robot's clock at play()
+  int again_ = 0;              // repetitions after its end
   goals::LeadIn lead_in_;
 };
 

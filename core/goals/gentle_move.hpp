@@ -27,6 +27,7 @@ class GentleMove {
   }
 
   [[nodiscard]] double durationMs() const { return duration_ms_; }
+  [[nodiscard]] double remainingMs() const { return duration_ms_ - time_ms_; }
   [[nodiscard]] bool done() const { return time_ms_ >= duration_ms_; }
   void advance(double ms) { time_ms_ = std::min(time_ms_ + ms, duration_ms_); }
   [[nodiscard]] double at(std::size_t joint) const {

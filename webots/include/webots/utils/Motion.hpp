@@ -33,7 +33,9 @@ class Motion {
   /// False: the file is missing or wrong; the constructor logged file, line and field. The other calls then do nothing.
   bool isValid() const;
   /// Continues from the current time; at the end it starts from the beginning (reversed: from the end). Motors that are
-  /// far from their first goals move there first, at 1.194 rad/s at most, while the motion's time stands still.
+  /// far from their first goals move there first, at 1.194 rad/s at most, while the motion's time stands still. While it
+  /// plays, without effect; but once the file's length has passed since play() it will be played again after its end, so
+  /// that the slow move takes nothing from a sequence of `play(); wait(getDuration())`.
   virtual void play();
   /// Pauses; the motors keep their goals.
   virtual void stop();
@@ -41,9 +43,10 @@ class Motion {
   virtual void setLoop(bool loop);
   /// True: plays backwards. Default false.
   virtual void setReverse(bool reverse);
-  /// Sets the current time in ms, clamped to 0 to getDuration().
+  /// Sets the current time in ms, clamped to 0 and the length of the file.
   virtual void setTime(int time);
-  /// Length in ms; 0 if the file is not valid.
+  /// Length in ms; 0 if the file is not valid. Between play() and the first pose of the file it includes what the slow
+  /// move there still takes, so that `play(); wait(getDuration())` waits for the end.
   int getDuration() const;
   /// Current time in ms, 0 to getDuration().
   int getTime() const;
