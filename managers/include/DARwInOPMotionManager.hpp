@@ -35,8 +35,8 @@ class DARwInOPMotionManager {
   DARwInOPMotionManager& operator=(const DARwInOPMotionManager& other);
   virtual ~DARwInOPMotionManager();
 
-  /// False: there is no robot, the named file is missing, or a file is wrong (logged with page and byte or line).
-  /// Nothing will be played.
+  /// False: there is no robot, the named file is missing, or it is not a motion file (logged with byte or line). Nothing
+  /// will be played. A damaged page of a binary file, such as one with a wrong checksum, is logged and counts as empty.
   bool isCorrectlyInitialized();
   /// Plays page `id`, 1 to 255. `sync`: blocks, calling Robot::step() with the basic time step, until the page and the
   /// pages that follow it have ended, or until step() returns -1. Not `sync`: returns at once, and step() plays it.

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <webots/Motor.hpp>
 
+#include "managers/messages.hpp"
 #include "motion_rig.hpp"
 
 namespace darwinop::webots_api {
@@ -118,14 +119,29 @@ TEST_F(MotionManagerTest, AMissingPageIsReported) {
   EXPECT_TRUE(fake.published.empty());
 }
 
+TEST_F(MotionManagerTest, ADamagedPageIsRefusedAndTheOthersPlay) {
+  std::fstream{path_, std::ios::in | std::ios::out | std::ios::binary}.seekp(2 * 512 + 70).put('\x11');
+  CaptureStderr();
+  DARwInOPMotionManager manager{&robot(), path_};
+  const std::string said = GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr(path_ + ": page 2, byte 1055: "));
+  EXPECT_THAT(said, HasSubstr(managers::messages::kPageIsRefused));
+  EXPECT_TRUE(manager.isCorrectlyInitialized());
+  CaptureStderr();
+  manager.playPage(2);
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("page 2 is empty"));
+  EXPECT_TRUE(fake.published.empty());
+  manager.playPage(1);
+  EXPECT_EQ(ticksOf(Joint::kNeck), 2100);
+}
+
 TEST_F(MotionManagerTest, AnInvalidFileIsReportedOnceAndNothingPlays) {
-  std::fstream{path_, std::ios::in | std::ios::out | std::ios::binary}.seekp(5 * 512 + 70).put('\x11');
+  std::ofstream{path_, std::ios::binary | std::ios::trunc} << std::string(1030, '\0');
   CaptureStderr();
   DARwInOPMotionManager manager{&robot(), path_};
   RobotisOp2MotionManager twin{&robot(), path_};
-  EXPECT_THAT(GetCapturedStderr(),
-              testing::MatchesRegex("darwinop: MotionManager: [^\n]*: page 5, byte 2591: wrong checksum: "
-                                    "[^\n]*; no page will be played\n"));
+  EXPECT_THAT(GetCapturedStderr(), testing::MatchesRegex("darwinop: MotionManager: [^\n]*page 2, at byte 1030; "
+                                                         "[^\n]*; no page will be played\n"));
   EXPECT_FALSE(manager.isCorrectlyInitialized() || twin.isCorrectlyInitialized());
   CaptureStderr();
   manager.playPage(1);
