@@ -11,8 +11,10 @@
 #include "managers/messages.hpp"
 #include "managers/motion_source.hpp"
 #include "managers/present_pose.hpp"
+#include "managers/step_clock.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
+#include "webots/step_observer.hpp"
 
 namespace managers {
 
@@ -21,24 +23,33 @@ using darwinop::kJoints;
 using darwinop::body_player::PagePlayer;
 using darwinop::webots_api::warnOnce;
 
-struct DARwInOPMotionManager::Stage {
+struct DARwInOPMotionManager::Stage final : darwinop::webots_api::StepObserver {
   webots::Robot* robot = nullptr;
   MotionPages pages;  // null: nothing can be played
   std::unique_ptr<PagePlayer> player;
   bool gains_are_lent = false;  // the joints have the page's P gains
   bool waited_for = false;      // inside playPage(), to reject calls from an overridden Robot::step()
+  bool stepped = false;         // the controller calls step(); otherwise Robot::step() plays
+  StepClock clock;              // of Robot::step()
 
   Stage(webots::Robot* owner, MotionPages file) : robot{owner}, pages{std::move(file)} {
     if (pages) player = std::make_unique<PagePlayer>(*pages);
   }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
-  ~Stage() { end(); }
+  ~Stage() override { end(); }
 
   [[nodiscard]] bool isPlaying() const { return player && player->isPlaying(); }
   bool start(int page);
-  bool advance(int ms);
+  bool advance(double ms);
   void end();
+
+  /// Code of the robot of 2013 calls no step() of the manager: there a thread played the page.
+  void beforeStep(int ms) override {
+    const darwinop::webots_api::RobotImpl* const inside = darwinop::webots_api::currentRobot();
+    if (inside && isPlaying() && !waited_for && !stepped)
+      advance(clock.advance(std::max(ms, 0), inside->session().robotMs(), inside->session().periodMs()));
+  }
 
  private:
   void setGoals(darwinop::webots_api::RobotImpl& inside);
@@ -58,6 +69,7 @@ bool DARwInOPMotionManager::Stage::start(int page) {
   }
   if (player->start(page, presentPose(*robot, *inside))) {
     inside->joints_taken_by = this;
+    clock.restart();
     return true;
   }
   warnOnce(name + (page < 1 || page > 255 ? " does not exist: pages are 1 to 255" : " is empty: nothing is played"));
@@ -65,8 +77,8 @@ bool DARwInOPMotionManager::Stage::start(int page) {
 }
 
 /// Plays for `ms`. False if the page has ended and the joints have their final goals.
-bool DARwInOPMotionManager::Stage::advance(int ms) {
-  const bool moved = player->advance(std::clamp(ms, 0, 3'600'000));  // an hour is longer than any page
+bool DARwInOPMotionManager::Stage::advance(double ms) {
+  const bool moved = player->advance(std::clamp(ms, 0.0, 3'600'000.0));  // an hour is longer than any page
   darwinop::webots_api::RobotImpl* const inside = darwinop::webots_api::currentRobot();
   if (!inside || inside->joints_taken_by != this)
     player->brake();  // the robot is gone, or another manager has taken the joints
@@ -142,6 +154,7 @@ void DARwInOPMotionManager::playPage(int id, bool sync) {
 }
 
 void DARwInOPMotionManager::step(int ms) {
+  stage_->stepped = true;
   if (stage_->isPlaying() && !stage_->waited_for) stage_->advance(ms);
 }
 

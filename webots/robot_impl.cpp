@@ -9,6 +9,7 @@
 #include "webots/messages.hpp"
 #include "webots/motion_playback.hpp"
 #include "webots/notices.hpp"
+#include "webots/step_observer.hpp"
 
 namespace darwinop::webots_api {
 
@@ -76,6 +77,7 @@ std::string RobotImpl::begin() {
 
 void RobotImpl::stepBegin(int ms) {
   advanceMotions(*this);
+  notifyBeforeStep(ms);
   for (std::size_t i = 0; i < kJoints; ++i) {
     commands_.joint[i] = motors_[i].command(session_.sensors().joint[i], std::max(ms, 0) / 1000.0);
     addLentGain(i);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -33,6 +34,9 @@ class Session {
   /// exactly. Between steps it advances in real time; not in lockstep.
   [[nodiscard]] Nanos time() const;
   [[nodiscard]] Nanos period() const { return driver_.link().period(); }
+  /// The same in ms; and the time of the newest image, ms: it advances by whole cycles.
+  [[nodiscard]] double periodMs() const { return std::chrono::duration<double, std::milli>(period()).count(); }
+  [[nodiscard]] double robotMs() const { return static_cast<double>(sensors_.time_ns) * 1e-6; }
   [[nodiscard]] bool realTime() const { return driver_.link().realTime(); }
   /// The robot's camera; must not outlive the session. Throws std::runtime_error if the robot has none.
   [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height, const v4l2::CameraSettings& settings);

@@ -14,8 +14,7 @@ namespace managers {
 ///     pages.playPage(9);                        // blocks until the page has ended
 ///     pages.playPage(24, false);                // returns at once
 ///     while (pages.isMotionPlaying()) {
-///       pages.step(16);                         // before each step of the robot
-///       if (robot.step(16) == -1) return 1;
+///       if (robot.step(16) == -1) return 1;     // plays it, unless the controller calls pages.step()
 ///     }
 ///
 /// While a page is played, it sets goals and P gains of all 20 joints, through the safety layer as any other goal. It
@@ -39,11 +38,13 @@ class DARwInOPMotionManager {
   /// will be played. A damaged page of a binary file, such as one with a wrong checksum, is logged and counts as empty.
   bool isCorrectlyInitialized();
   /// Plays page `id`, 1 to 255. `sync`: blocks, calling Robot::step() with the basic time step, until the page and the
-  /// pages that follow it have ended, or until step() returns -1. Not `sync`: returns at once, and step() plays it.
+  /// pages that follow it have ended, or until step() returns -1. Not `sync`: returns at once, and Robot::step() plays it, or step() once that was called.
   /// A first pose that is far away is approached slowly before the page starts. An empty page, and a page while another
   /// one is played, are refused with one warning.
   void playPage(int id, bool sync = true);
-  /// Continues a page that was not started with `sync` by `ms` ms; call it before each Robot::step(). Pages advance in
+  /// Continues a page that was not started with `sync` by `ms` ms, as in the simulator; from the first call on
+  /// Robot::step() no longer does, so call it before each one. Code of the robot, which has no such call, needs none:
+  /// there Robot::step() continues the page by the robot's time since the last step, at most 80 ms. Pages advance in
   /// ticks of 8 ms; the remainder is carried over. Does nothing while no page is played.
   void step(int ms);
   /// True from playPage() until the last page has ended.
