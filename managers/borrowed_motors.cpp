@@ -77,4 +77,12 @@ void BorrowedMotors::setGoals(const darwinop::body_player::WalkPlayer& player) {
   for (std::size_t i = 0; i < motors_.size(); ++i) motors_[i]->setPosition(player.goal(static_cast<Joint>(i)));
 }
 
+double BorrowedMotors::robotMs() const {
+  return impl_->session().robotMs();
+}
+
+double BorrowedMotors::periodMs() const {
+  return impl_->session().periodMs();
+}
+
 }  // namespace managers

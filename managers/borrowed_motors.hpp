@@ -41,6 +41,9 @@ class BorrowedMotors {
   [[nodiscard]] std::uint64_t cycleOfReading() const;
   [[nodiscard]] darwinop::body_player::Pose present() const;
   void setGoals(const darwinop::body_player::WalkPlayer& player);
+  /// The robot's time at the newest image, and the period of its loop, ms.
+  [[nodiscard]] double robotMs() const;
+  [[nodiscard]] double periodMs() const;
 
  private:
   [[nodiscard]] const void* takenBy() const;

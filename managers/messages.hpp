@@ -1,6 +1,9 @@
 // Messages of the managers, or the parts that identify them.
 #pragma once
 
+#include <cmath>
+#include <string>
+
 namespace managers::messages {
 
 inline constexpr const char* kRobotIsNull = "the robot is null";
@@ -10,5 +13,18 @@ inline constexpr const char* kWalksWithoutBalance =
 
 // After a damaged page of a motion file.
 inline constexpr const char* kPageIsRefused = "; this page is refused, the others are kept";
+
+// Of a loop slower than its step.
+inline constexpr const char* kTooSlow = "the controller is slower than its step: a round takes ";
+inline constexpr const char* kDeclare = "; declare what fits, here and in Robot::step() (time_step in config.ini): ";
+
+/// `round_ms`: measured mean; `step_ms`: declared.
+inline std::string tooSlow(double round_ms, int step_ms) {
+  constexpr double kTick = 8, kMeasured = 0.5;  // ms
+  const double fits_ms = std::ceil((round_ms - kMeasured) / kTick) * kTick;
+  return kTooSlow + std::to_string(std::lround(round_ms)) + " ms, and step(" + std::to_string(step_ms) +
+         ") declares less. The walk keeps the robot's time up to 80 ms a round" + kDeclare + "step(" +
+         std::to_string(std::lround(fits_ms)) + ")";
+}
 
 }  // namespace managers::messages

@@ -61,6 +61,10 @@ class DARwInOPGaitManager {
   /// Call it before every Robot::step(), with the same duration in ms, 8 or more, best a multiple of 8. Computes the
   /// goals that are due, one every 8 ms; the remainder is carried over. Under 8 ms it does nothing, with one warning;
   /// more than 10000 ms count as 10000. Does not block.
+  /// If more of the robot's time has passed since the last call, the walk keeps it in whole ticks, up to 80 ms a call;
+  /// one message then names the time of a round and the step that fits. In slow rounds it walks without balance (over
+  /// 52 ms) and with 0.7 of the amplitudes (over 68 ms). A pause of more than 1 s counts as `ms`. A controller that
+  /// never calls it walks by its Robot::step(), as on the robot, where a thread walked.
   void step(int ms);
   /// Finishes the current steps and returns when the robot stands in its stance. Until then it calls Robot::step() with
   /// the basic time step: 1.5 gait periods at most (0.9 s by default), or the rest of the way to the stance. Returns at

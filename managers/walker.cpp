@@ -1,0 +1,116 @@
+// A walk on a robot.
+#include "managers/walker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <webots/Gyro.hpp>
+#include <webots/Robot.hpp>
+
+#include "managers/gait/walking_config.hpp"
+#include "managers/messages.hpp"
+#include "webots/notices.hpp"
+
+namespace managers {
+
+namespace gait = darwinop::gait;
+
+namespace {
+
+constexpr double kCatchUpMs = 600;  // for speed-limited goals to catch up: half a turn takes 256 ms
+
+// What a slow loop can do, measured in the twin: goals of the gyroscope that are held for longer make it fall, and at
+// 80 ms a round so do strides of more than 0.75 of the greatest.
+constexpr double kBalanceRoundMs = 52, kStrideRoundMs = 68, kSlowStride = 0.7;
+
+/// Longest time from a stop to the stance.
+double stopMs(const gait::Parameters& parameters) {
+  return 2 * parameters.period_time + kCatchUpMs;
+}
+
+}  // namespace
+
+void warnOfGait(const std::string& what) {
+  darwinop::webots_api::warnOnce("GaitManager: " + what);
+}
+
+void DARwInOPGaitManager::Walker::prepare(webots::Robot& with, const std::string& ini) {
+  gait::WalkingConfig config = gait::readWalkingConfig(ini);
+  for (const std::string& warning : config.warnings) warnOfGait(warning);
+  player = darwinop::body_player::WalkPlayer{config.parameters};
+  motors = BorrowedMotors{with};
+  gyro = with.getGyro("Gyro");
+  if (gyro != nullptr) gyro->enable(static_cast<int>(with.getBasicTimeStep()));
+  robot = &with;
+}
+
+/// Starts at the present joint positions.
+void DARwInOPGaitManager::Walker::begin() {
+  if (!walk().resting()) player.abandon();  // a motion page interrupted a step
+  clock.restart();
+  player.start(motors.present());
+  motors.take(player);
+}
+
+darwinop::body_player::GyroReading DARwInOPGaitManager::Walker::gyroReading() const {
+  const double* const counts = gyro != nullptr ? gyro->getValues() : nullptr;
+  if (counts == nullptr) return {std::nan(""), std::nan(""), 0};
+  return {counts[0], counts[1], motors.cycleOfReading()};
+}
+
+void DARwInOPGaitManager::Walker::step(int ms) {
+  if (requested && motors.areAnothers()) return;  // a motion page is playing
+  if (requested && !motors.areOurs()) begin();
+  advance(clock.advance(ms, motors.robotMs(), motors.periodMs()));
+  warnIfSlow(ms);
+}
+
+void DARwInOPGaitManager::Walker::advance(double ms) {
+  const bool walked = walk().walking();
+  // At rest the gyroscope is calibrated in any loop.
+  const bool balances = balance && (!walked || clock.roundMs() <= kBalanceRoundMs);
+  if (!player.advance(ms, pacedCommand(), balances, gyroReading())) return;
+  motors.setGoals(player);
+  if (!walked && walk().walking() && balance && !walk().isBalanceCalibrated())
+    warnOfGait(messages::kWalksWithoutBalance);
+  if (walk().resting()) motors.giveBack();
+}
+
+gait::WalkCommand DARwInOPGaitManager::Walker::pacedCommand() const {
+  if (clock.roundMs() <= kStrideRoundMs) return command;
+  gait::WalkCommand shorter = command;
+  for (double* const amplitude : {&shorter.x, &shorter.y, &shorter.a}) *amplitude *= kSlowStride;
+  return shorter;
+}
+
+void DARwInOPGaitManager::Walker::warnIfSlow(int ms) {
+  const double round_ms = clock.slowRoundMs();
+  if (round_ms == 0 || slow_warned || !walk().walking()) return;
+  slow_warned = true;
+  warnOfGait(messages::tooSlow(round_ms, ms));
+}
+
+void DARwInOPGaitManager::Walker::stop() {
+  if (!canWalk()) return;
+  requested = false;
+  if (walk().resting()) return;
+  player.stop();
+  stopping = true;
+  const struct Stopped {  // resets the flag also if an overridden Robot::step() throws
+    bool& stopping;
+    ~Stopped() { stopping = false; }
+  } stopped{stopping};
+  const int basic = std::max(1, static_cast<int>(robot->getBasicTimeStep()));
+  double remaining_ms = walk().approachMs() + stopMs(walk().parameters());
+  while (!walk().resting() && remaining_ms > -basic) {
+    if (!motors.areOurs()) {  // a motion page has moved the joints: there is no step to complete
+      player.abandon();
+      return motors.giveBack();
+    }
+    step(basic);
+    if (robot->step(basic) == -1) break;
+    remaining_ms -= basic;
+  }
+}
+
+}  // namespace managers

@@ -1,0 +1,104 @@
+// Walks in a loop that is slower than its step, and without a call of step() of the manager.
+#include <gmock/gmock.h>
+
+#include "gait_rig.hpp"
+#include "managers/messages.hpp"
+#include "managers/step_clock.hpp"
+
+namespace darwinop::webots_api {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+using testing::Not;
+
+class SlowLoop : public GaitManager {
+ protected:
+  /// A loop of published controllers that needs `round` for each step(16).
+  void loop(int rounds, milliseconds round) {
+    for (int i = 0; i < rounds; ++i) {
+      const Nanos start = fake.now;
+      manager().step(16);
+      robot().step(16);
+      if (fake.now - start < round) fake.pass(start + round - fake.now);
+    }
+  }
+  /// Goals of the engine after `ms`.
+  static std::array<int, kWalking> walked(int ms) {
+    gait::Engine engine{gait::shipped()};
+    engine.start();
+    for (int call = 0; call < ms / 8; ++call) engine.next({}, {NAN, NAN});
+    return engine.goals().tick;
+  }
+};
+
+TEST_F(SlowLoop, TheWalkKeepsTheRobotsTime) {
+  for (const int round_ms : {24, 32, 40, 64, 80}) {
+    manager_.reset();
+    end();
+    standing().start();
+    loop(1, milliseconds{16});
+    const Nanos begun = fake.now;
+    loop(1200 / round_ms, milliseconds{round_ms});
+    const auto ms = static_cast<int>((fake.now - begun) / milliseconds{1});
+    std::array<int, kWalking> nearest{};
+    int at = -1;
+    for (int walked_ms = ms - 2 * round_ms; walked_ms <= ms + 16 && at < 0; walked_ms += 8)
+      if (walked(walked_ms) == goals()) at = walked_ms, nearest = goals();
+    EXPECT_GE(at, 0) << round_ms << ": not where the walk is at that time, within two rounds";
+  }
+}
+
+TEST_F(SlowLoop, BeyondTheBoundItPlaysInSlowMotion) {
+  standing().start();
+  loop(1, milliseconds{16});
+  loop(5, milliseconds{400});
+  // Late rounds show in the image after them.
+  EXPECT_EQ(goals(), walked(3 * 16 + 3 * static_cast<int>(managers::StepClock::kMaxRoundMs)));
+}
+
+TEST_F(SlowLoop, AControllerThatIsTooSlowGetsOneMessageWithTheStepThatFits) {
+  testing::internal::CaptureStderr();
+  standing().start();
+  loop(400, milliseconds{24});
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr(std::string{managers::messages::kTooSlow} + "24 ms"));
+  EXPECT_THAT(said, HasSubstr(std::string{managers::messages::kDeclare} + "step(24)"));
+  EXPECT_EQ(lines(said), 1);
+}
+
+TEST_F(SlowLoop, ALoopInTimeGetsNoSuchMessage) {
+  for (const int step_ms : {8, 16, 20, 24, 40}) {
+    manager_.reset();
+    end();
+    testing::internal::CaptureStderr();
+    standing().start();
+    steps(4000 / step_ms, step_ms);
+    fake.pass(milliseconds{300});  // one late round
+    steps(4000 / step_ms, step_ms);
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), Not(HasSubstr(managers::messages::kTooSlow))) << step_ms;
+  }
+}
+
+/// As in code of the robot, where a thread walked.
+TEST_F(SlowLoop, WithoutStepOfTheManagerTheRobotsStepsWalk) {
+  standing().start();
+  for (int i = 0; i < 20; ++i) robot().step(16);
+  EXPECT_EQ(goals(), walked(320));
+  manager().stop();
+  EXPECT_EQ(goals(), gait::kStanding.tick);
+}
+
+TEST_F(SlowLoop, AManagerThatTheControllerStepsIsLeftToIt) {
+  standing().start();
+  steps(10);
+  const auto there = goals();
+  robot().step(16);
+  robot().step(16);
+  EXPECT_EQ(goals(), there);
+  steps(1);
+  EXPECT_NE(goals(), there);
+}
+
+}  // namespace
+}  // namespace darwinop::webots_api
