@@ -126,7 +126,7 @@ TEST_F(MotionManagerTest, ADamagedPageIsRefusedAndTheOthersPlay) {
   const std::string said = GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr(path_ + ": page 2, byte 1055: "));
   EXPECT_THAT(said, HasSubstr(managers::messages::kPageIsRefused));
-  EXPECT_TRUE(manager.isCorrectlyInitialized());
+  ASSERT_TRUE(manager.isCorrectlyInitialized());
   CaptureStderr();
   manager.playPage(2);
   EXPECT_THAT(GetCapturedStderr(), HasSubstr("page 2 is empty"));
