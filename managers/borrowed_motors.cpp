@@ -85,4 +85,8 @@ double BorrowedMotors::periodMs() const {
   return impl_->session().periodMs();
 }
 
+bool BorrowedMotors::carryOn(int ms) {
+  return exist() && impl_->carryOn(ms);
+}
+
 }  // namespace managers

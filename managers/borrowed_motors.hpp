@@ -44,6 +44,8 @@ class BorrowedMotors {
   /// The robot's time at the newest image, and the period of its loop, ms.
   [[nodiscard]] double robotMs() const;
   [[nodiscard]] double periodMs() const;
+  /// See RobotImpl::carryOn().
+  [[nodiscard]] bool carryOn(int ms);
 
  private:
   [[nodiscard]] const void* takenBy() const;

@@ -50,6 +50,7 @@ struct DARwInOPMotionManager::Stage final : darwinop::webots_api::StepObserver {
     if (inside && isPlaying() && !waited_for && !stepped)
       advance(clock.advance(std::max(ms, 0), inside->session().robotMs(), inside->session().periodMs()));
   }
+  void beforeEnd() override {}
 
  private:
   void setGoals(darwinop::webots_api::RobotImpl& inside);

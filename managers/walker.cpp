@@ -17,7 +17,10 @@ namespace gait = darwinop::gait;
 
 namespace {
 
-constexpr double kCatchUpMs = 600;  // for speed-limited goals to catch up: half a turn takes 256 ms
+constexpr double kCatchUpMs = 600;    // for speed-limited goals to catch up: half a turn takes 256 ms
+constexpr int kEndStepMs = 16;        // two calls of the engine
+constexpr double kStandMs = 400;      // until the last step has come to rest
+constexpr double kEndBoundMs = 2500;  // enough for periods up to 1.6 s; the supervisor kills after 3 s
 
 // What a slow loop can do, measured in the twin: goals of the gyroscope that are held for longer make it fall, and at
 // 80 ms a round so do strides of more than 0.75 of the greatest.
@@ -111,6 +114,19 @@ void DARwInOPGaitManager::Walker::stop() {
     if (robot->step(basic) == -1) break;
     remaining_ms -= basic;
   }
+}
+
+void DARwInOPGaitManager::Walker::finish() {
+  requested = false;
+  if (robot == nullptr || !motors.exist() || !motors.areOurs() || !walk().walking()) return;
+  player.stop();
+  double remaining_ms = std::min(stopMs(walk().parameters()), kEndBoundMs);
+  for (; !walk().resting() && remaining_ms > 0; remaining_ms -= kEndStepMs) {
+    advance(kEndStepMs);
+    if (!motors.carryOn(kEndStepMs)) return;
+  }
+  for (double stood_ms = 0; stood_ms < kStandMs; stood_ms += kEndStepMs)
+    if (!motors.carryOn(kEndStepMs)) return;
 }
 
 }  // namespace managers

@@ -1,4 +1,4 @@
-// Inside of the gait manager: a walk on a robot, driven by the manager, by Robot::step().
+// Inside of the gait manager: a walk on a robot, driven by the manager, by Robot::step(), or by the end of the session.
 #pragma once
 
 #include <string>
@@ -42,6 +42,8 @@ struct DARwInOPGaitManager::Walker final : darwinop::webots_api::StepObserver {
         command{other.command},
         balance{other.balance} {}
   Walker& operator=(const Walker&) = delete;
+  /// A walk ends on both feet.
+  ~Walker() override { finish(); }
 
   /// Reads the file and enables the gyroscope. Throws std::runtime_error.
   void prepare(webots::Robot& with, const std::string& ini);
@@ -53,11 +55,14 @@ struct DARwInOPGaitManager::Walker final : darwinop::webots_api::StepObserver {
   void step(int ms);
   /// Finishes the steps; calls Robot::step().
   void stop();
+  /// As stop(), without the controller's Robot, which may be half destroyed; then waits until the robot stands still.
+  void finish();
 
   /// Code of the robot of 2013 need not call step() of the manager: there a thread walked.
   void beforeStep(int ms) override {
     if (canWalk() && requested && !stepped && ms > 0) step(ms);
   }
+  void beforeEnd() override { finish(); }
 
  private:
   void begin();

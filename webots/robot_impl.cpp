@@ -1,6 +1,8 @@
 // Implementation of webots::Robot.
 #include "webots/robot_impl.hpp"
 
+#include <unistd.h>
+
 #include <cstdlib>
 
 #include "connect/keys.hpp"
@@ -55,6 +57,7 @@ RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerC
       config_{config},
       stop_{stop},
       ends_with_us_{link->bringsToRest()},
+      process_{getpid()},
       session_{std::move(link), stop} {
   commands_.start_where_it_is = config.safety.start == safety::StartMove::kHold;
   addDevices();
@@ -78,11 +81,15 @@ std::string RobotImpl::begin() {
 void RobotImpl::stepBegin(int ms) {
   advanceMotions(*this);
   notifyBeforeStep(ms);
+  takeMotors(ms);
+  session_.publish(commands_, ms);
+}
+
+void RobotImpl::takeMotors(int ms) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     commands_.joint[i] = motors_[i].command(session_.sensors().joint[i], std::max(ms, 0) / 1000.0);
     addLentGain(i);
   }
-  session_.publish(commands_, ms);
 }
 
 /// A gain that is not in the image stays unchanged, so the end of an override must set the previous gain explicitly.
@@ -99,7 +106,23 @@ void RobotImpl::addLentGain(std::size_t joint) {
 int RobotImpl::stepEnd() {
   const int result = session_.wait();
   refresh();
+  if (result == -1) comeToRest();
   return result;
+}
+
+bool RobotImpl::carryOn(int ms) {
+  if (over_ || getpid() != process_) return false;
+  takeMotors(ms);
+  if (!session_.carryOn(commands_, std::chrono::milliseconds{ms})) return false;
+  for (const auto& device : devices_) device->refresh();
+  return true;
+}
+
+void RobotImpl::comeToRest() {
+  if (resting_) return;
+  resting_ = true;
+  notifyBeforeEnd();
+  over_ = true;
 }
 
 /// Controllers may keep the pointers of getValues() and getImage(); their data must be updated in every step.

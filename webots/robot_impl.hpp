@@ -1,6 +1,8 @@
 // Implementation of webots::Robot: session, command image, devices.
 #pragma once
 
+#include <sys/types.h>
+
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -38,6 +40,11 @@ class RobotImpl {
   [[nodiscard]] std::string begin();
   void stepBegin(int ms);
   [[nodiscard]] int stepEnd();
+  /// Sends the motors' goals and waits `ms`, also after the user requested the end: for beforeEnd() of an observer. False:
+  /// the loop or safety has ended the session, it is over, or this is a forked child.
+  [[nodiscard]] bool carryOn(int ms);
+  /// Lets the observers bring the robot where it can kneel, once. Called when a step returns -1, and by release().
+  void comeToRest();
 
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
   [[nodiscard]] const Session& session() const { return session_; }
@@ -85,11 +92,14 @@ class RobotImpl {
   void addDevices();  // devices.cpp
   void add(webots::Device* device);
   void addLentGain(std::size_t joint);
+  void takeMotors(int ms);
   void refresh();
 
   ControllerConfig config_;
   const std::atomic<bool>& stop_;
   bool ends_with_us_;  // the loop ends with this process, in real time
+  pid_t process_;      // a child that it forks must not move the robot
+  bool resting_ = false, over_ = false;
   Session session_;
   Commands commands_{};
   std::deque<goals::MotorControl> motors_;  // by joint

@@ -85,10 +85,10 @@ void Session::publish(const Commands& commands, int ms) {
 
 int Session::wait() {
   if (ended_) return -1;
-  if (stop_) return end({});
+  if (stop_) return endByUser();
   Nanos late{0};
   if (driver_.sensors().cycle < target_) {
-    if (!waitForTarget()) return end(stop_ ? std::string{} : driver_.link().whyEnded());
+    if (!waitForTarget()) return stop_ ? endByUser() : end(driver_.link().whyEnded());
     sensors_ = driver_.sensors();
     reached_ = Nanos{sensors_.time_ns} - origin_;
     if (sensors_.cycle > target_ &&
@@ -116,6 +116,27 @@ bool Session::waitForTarget() {
     if (now + beat < target_) driver_.publish(asked_);
   }
   return true;
+}
+
+bool Session::carryOn(const Commands& commands, Nanos step) {
+  if (ended_ && !ended_by_user_) return false;
+  if (!executes(driver_.sensors())) return false;
+  line_.restartAt(driver_.sensors().cycle);
+  driver_.publish(commands);
+  if (!driver_.waitForCycle(line_.advance(step))) return false;
+  sensors_ = driver_.sensors();
+  reached_ = Nanos{sensors_.time_ns} - origin_;
+  returned_ = driver_.link().now();
+  return executes(sensors_);
+}
+
+bool Session::executes(const Sensors& seen) const {
+  return driver_.drives(seen) && driver_.faultEnd(seen).empty();
+}
+
+int Session::endByUser() {
+  ended_by_user_ = true;
+  return end({});
 }
 
 int Session::end(const std::string& sentence) {

@@ -110,6 +110,7 @@ RobotImpl* adopt(RobotImpl* robot) {
 
 void release(RobotImpl* robot) {
   if (!robot || robot != current || (owner != 0 && getpid() != owner)) return;
+  robot->comeToRest();  // while it is the robot of this process
   current = nullptr;
   delete robot;
 }

@@ -27,4 +27,8 @@ void notifyBeforeStep(int ms) {
   for (StepObserver* const observer : observers()) observer->beforeStep(ms);
 }
 
+void notifyBeforeEnd() {
+  for (StepObserver* const observer : observers()) observer->beforeEnd();
+}
+
 }  // namespace darwinop::webots_api

@@ -14,8 +14,12 @@ class StepObserver {
 
   /// At the start of each Robot::step(), `ms` as passed to it, before the motors' commands are computed.
   virtual void beforeStep(int ms) = 0;
+  /// Once, before the session ends, unless the loop or safety has ended it: moves the joints where the robot can kneel,
+  /// by RobotImpl::carryOn().
+  virtual void beforeEnd() = 0;
 };
 
 void notifyBeforeStep(int ms);
+void notifyBeforeEnd();
 
 }  // namespace darwinop::webots_api

@@ -1,0 +1,69 @@
+// Falls of a robot whose controller ends or dies while it walks, in the twin: the table of docs/gait.md. No test.
+//   walk_falls [MOMENTS]     moments of one gait period, default 12
+#include <mujoco/mujoco.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "twin_walk_rig.hpp"
+
+namespace managers {
+namespace {
+
+using darwinop::twin::RobotBody;
+
+constexpr double kFallen = 0.7;  // cosine of the tilt: 45 degrees
+constexpr double kPeriod = 0.6;  // s
+constexpr double kSlopeRad = 3 * darwinop::kRadPerDegree;
+constexpr int kCyclesToRest = 1000;  // 16 s: a dead controller is given up after 10 s
+
+enum class Ground { kLevel, kPush, kSlope };
+enum class End { kAtOnce, kFinished, kKilled };
+
+/// Downhill is forwards.
+void tilt(RobotBody& body, double rad) {
+  mjModel& model = *const_cast<mjModel*>(static_cast<const mjModel*>(body.mujocoModel()));
+  const double g = std::hypot(model.opt.gravity[0], model.opt.gravity[2]);
+  model.opt.gravity[0] = g * std::sin(rad);
+  model.opt.gravity[2] = -g * std::cos(rad);
+}
+
+bool falls(Ground ground, End end, double moment_s) {
+  TwinWalk walk;
+  walk.start(1);
+  walk.loop(TwinWalk::kStance + 1.2);
+  if (ground == Ground::kSlope) tilt(walk.body(), kSlopeRad);
+  walk.loop(1.2 + moment_s);
+  if (walk.lowest() < kFallen) return true;
+  if (ground == Ground::kPush) walk.body().push({5, 0, 0}, std::chrono::milliseconds{100});
+  // The behaviour of before: nobody finishes the step, as nobody has the joints.
+  if (end == End::kAtOnce) darwinop::webots_api::currentRobot()->joints_taken_by = nullptr;
+  if (end != End::kKilled) walk.end();
+  for (int i = 0; i < kCyclesToRest && walk.state() != darwinop::State::kLimp; ++i) walk.runLoop(1);
+  return walk.lowest() < kFallen;
+}
+
+int run(int moments) {
+  std::printf("Falls at %d moments of a period of %.1f s, X = 1\n\n", moments, kPeriod);
+  std::printf("| | ends, kneels at once | ends, finishes the step | kill -9 under the daemon |\n|---|---|---|---|\n");
+  for (const auto& [ground, name] : {std::pair{Ground::kLevel, "level floor"},
+                                     {Ground::kPush, "push of 5 N for 0.1 s from behind"},
+                                     {Ground::kSlope, "slope of 3 degrees downhill"}}) {
+    std::printf("| %s |", name);
+    for (const End end : {End::kAtOnce, End::kFinished, End::kKilled}) {
+      int fallen = 0;
+      for (int i = 0; i < moments; ++i) fallen += falls(ground, end, i * kPeriod / moments) ? 1 : 0;
+      std::printf(" %d |", fallen);
+      std::fflush(stdout);
+    }
+    std::printf("\n");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace managers
+
+int main(int argc, char** argv) {
+  return managers::run(argc > 1 ? std::max(1, std::atoi(argv[1])) : 12);
+}
