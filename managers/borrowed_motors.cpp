@@ -74,7 +74,11 @@ darwinop::body_player::Pose BorrowedMotors::present() const {
 }
 
 void BorrowedMotors::setGoals(const darwinop::body_player::WalkPlayer& player) {
-  for (std::size_t i = 0; i < motors_.size(); ++i) motors_[i]->setPosition(player.goal(static_cast<Joint>(i)));
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    const auto joint = static_cast<Joint>(i);
+    motors_[i]->setPosition(player.goal(joint));
+    if (areOurs()) impl_->lendGain(joint, player.pGain(joint));
+  }
 }
 
 double BorrowedMotors::robotMs() const {

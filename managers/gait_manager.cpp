@@ -6,6 +6,7 @@
 #include <string>
 
 #include "DARwInOPGaitManager.hpp"
+#include "managers/gait_parameters.hpp"
 #include "managers/messages.hpp"
 #include "managers/walker.hpp"
 
@@ -68,6 +69,21 @@ void DARwInOPGaitManager::setMoveAimOn(bool on) {
 
 void DARwInOPGaitManager::setBalanceEnable(bool on) {
   walker_->balance = on;
+}
+
+DARwInOPGaitManager::GaitParameters DARwInOPGaitManager::getParameters() const {
+  return publicParameters(walker_->player.parameters());
+}
+
+bool DARwInOPGaitManager::setParameters(const GaitParameters& parameters) {
+  darwinop::gait::Parameters changed = walker_->player.parameters();
+  assign(changed, parameters);
+  const std::string error = walker_->robot != nullptr ? findParameterError(changed) : messages::kNotInitialized;
+  if (error.empty())
+    walker_->player.setParameters(changed);
+  else
+    warnOfGait(messages::kParametersRefused + error);
+  return error.empty();
 }
 
 void DARwInOPGaitManager::start() {

@@ -11,6 +11,10 @@ inline constexpr const char* kWalksWithoutBalance =
     "balance is off: the gyroscope could not be calibrated, because the robot was moved or the gyroscope does not "
     "reply. Keep the robot still for a second before start()";
 
+// Of setParameters().
+inline constexpr const char* kParametersRefused = "setParameters() changes nothing: ";
+inline constexpr const char* kNotInitialized = "the manager is not initialized";
+
 // After a damaged page of a motion file.
 inline constexpr const char* kPageIsRefused = "; this page is refused, the others are kept";
 

@@ -38,7 +38,7 @@ struct DARwInOPGaitManager::Walker final : darwinop::webots_api::StepObserver {
         robot{other.robot},
         motors{other.motors},
         gyro{other.gyro},
-        player{other.walk().parameters()},
+        player{other.player.parameters()},
         command{other.command},
         balance{other.balance} {}
   Walker& operator=(const Walker&) = delete;

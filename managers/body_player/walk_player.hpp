@@ -20,6 +20,10 @@ class WalkPlayer {
 
   /// Starts at `from`, see presentPose(): moves slowly to the stance first. During a walk it only cancels a stop.
   void start(const Pose& from);
+  /// Applied between two steps; at rest at once.
+  void setParameters(const gait::Parameters& parameters) { walk_.setParameters(parameters); }
+  /// Those set last.
+  [[nodiscard]] const gait::Parameters& parameters() const { return walk_.requestedParameters(); }
   /// Rests after the current steps.
   void stop() { walk_.stop(); }
   /// Rests immediately in any pose. Keeps the calibration of the gyroscope.

@@ -43,13 +43,25 @@ const Goals& Engine::next(const WalkCommand& command, const Tilt& tilt) {
 /// Four events per period: both feet down (twice), where the walk may end; a foot at its highest point (twice), where
 /// the next stride starts.
 void Engine::updatePhase() {
-  if (time_ms_ == 0) return finishIfStopping();
+  if (time_ms_ == 0) {
+    applyParameters();
+    return finishIfStopping();
+  }
   if (isAt(time_ms_, timing_.middleOfLeft()) || isAt(time_ms_, timing_.middleOfRight())) {
     stride_ = Stride{command_, parameters_};
   } else if (isAt(time_ms_, timing_.middle())) {
+    applyParameters();
     time_ms_ = timing_.middle();
     finishIfStopping();
   }
+}
+
+/// The stride keeps its amplitudes until the middle of the next swing, as with a new command.
+void Engine::applyParameters() {
+  if (!requested_) return;
+  parameters_ = *requested_;
+  timing_ = Timing{parameters_};
+  requested_.reset();
 }
 
 void Engine::finishIfStopping() {

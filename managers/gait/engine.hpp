@@ -6,6 +6,8 @@
 //  - goals are clamped to the joint ranges; there, to 0..4095.
 #pragma once
 
+#include <optional>
+
 #include "managers/gait/balance.hpp"
 #include "managers/gait/goals.hpp"
 #include "managers/gait/parameters.hpp"
@@ -20,6 +22,8 @@ class Engine {
 
   /// Continues from where it stopped, with the left or the right foot.
   void start();
+  /// Applied when both feet are down, at t = 0 or half a period, before the next goals.
+  void setParameters(const Parameters& parameters) { requested_ = parameters; }
   /// Ends in the stance: immediately when stepping in place, else within 1.5 periods.
   void stop();
   /// False once the walk has ended in the stance.
@@ -32,12 +36,15 @@ class Engine {
   /// Goals of the last call; before the first, the stance.
   [[nodiscard]] const Goals& goals() const { return goals_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+  [[nodiscard]] const Parameters& requestedParameters() const { return requested_ ? *requested_ : parameters_; }
 
  private:
+  void applyParameters();
   void updatePhase();
   void finishIfStopping();
 
   Parameters parameters_;
+  std::optional<Parameters> requested_;
   Timing timing_;
   WalkCommand command_;
   Stride stride_;

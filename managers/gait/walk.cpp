@@ -13,13 +13,18 @@ void Walk::start(const Pose& from) {
   phase_ = Phase::kApproach;
 }
 
+void Walk::setParameters(const Parameters& parameters) {
+  engine_.setParameters(parameters);
+  if (phase_ == Phase::kRest) engine_ = Engine{parameters};
+}
+
 void Walk::stop() {
   stopping_ = true;
   if (phase_ == Phase::kWalk) engine_.stop();
 }
 
 void Walk::abandon() {
-  engine_ = Engine{engine_.parameters()};
+  engine_ = Engine{engine_.requestedParameters()};
   pose_ = poseOf(engine_.goals());
   phase_ = Phase::kRest;
   stopping_ = false;

@@ -23,6 +23,8 @@ class Walk {
 
   /// Starts from this pose. During a walk it only cancels a stop.
   void start(const Pose& from);
+  /// Applied when both feet are down; at rest at once, for the stance of the next start.
+  void setParameters(const Parameters& parameters);
   /// Rests after the current steps.
   void stop();
   /// Rests immediately in any pose, because another manager has moved the joints. Keeps the calibration.
@@ -38,6 +40,8 @@ class Walk {
   /// rad, limited in speed. At rest the final pose of the last walk; before the first walk the stance.
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] const Parameters& parameters() const { return engine_.parameters(); }
+  /// Those that setParameters() set last, perhaps still to be applied.
+  [[nodiscard]] const Parameters& requestedParameters() const { return engine_.requestedParameters(); }
 
  private:
   enum class Phase { kRest, kApproach, kCalibrate, kWalk };

@@ -59,6 +59,40 @@ class DARwInOPGaitManager {
   /// meanwhile it walks without balance, with one warning.
   void setBalanceEnable(bool on);
 
+  /// Parameters of the walk under the names of section [Walking Config], with their ranges; defaults: docs/gait.md.
+  struct GaitParameters {
+    /// The defaults.
+    GaitParameters();
+    double x_offset;                  ///< both feet forwards: -60 to 60 mm
+    double y_offset;                  ///< feet apart, half of it each: -20 to 100 mm
+    double z_offset;                  ///< crouching: 5 to 80 mm
+    double roll_offset;               ///< soles rolled inwards or outwards, half of it each: -30 to 30 degrees
+    double pitch_offset;              ///< soles pitched: -30 to 30 degrees
+    double yaw_offset;                ///< feet turned outwards, half of it each: -60 to 60 degrees
+    double hip_pitch_offset;          ///< trunk leans forwards: -30 to 45 degrees
+    double period_time;               ///< two steps: 240 to 3000 ms
+    double dsp_ratio;                 ///< share of the period with both feet down: 0 to 0.8, no unit
+    double step_forward_back_ratio;   ///< swing of the body forwards, as a share of the step: -1 to 1, no unit
+    double foot_height;               ///< lift of a foot: 0 to 80 mm
+    double swing_right_left;          ///< swing of the body to the sides: 0 to 60 mm
+    double swing_top_down;            ///< swing of the body up and down: 0 to 30 mm
+    double pelvis_offset;             ///< extra hip roll on one foot: -15 to 15 degrees
+    double arm_swing_gain;            ///< swing of the arms: -5 to 5 degrees a mm of step
+    double balance_knee_gain;         ///< gyroscope to knees: 0 to 5, no unit
+    double balance_ankle_pitch_gain;  ///< gyroscope to ankle pitch: 0 to 5, no unit
+    double balance_hip_roll_gain;     ///< gyroscope to hip roll: 0 to 5, no unit
+    double balance_ankle_roll_gain;   ///< gyroscope to ankle roll: 0 to 5, no unit
+    double p_gain;                    ///< stiffness of the legs: 8 to 254 register value; 8 is Kp = 1
+  };
+  /// The parameters of the last setParameters(); before it those of the file. Neither the simulator nor 2013 has this.
+  GaitParameters getParameters() const;
+  /// Changes the walk while the program runs: applied between two steps, when both feet are down (every half
+  /// period_time ms, 300 by default), and from the next stance on if the robot does not walk. False and one warning,
+  /// without any change, if one value is out of its range or NaN, or if the manager is not initialized. Goals stay
+  /// limited to 12.26 rad/s, but a large change of offsets can make a walking robot fall: change them a little at a
+  /// time. Neither the simulator nor 2013 has this.
+  bool setParameters(const GaitParameters& parameters);
+
   /// From the next step() on the robot moves to its stance at 0.5 rad/s at most, and then walks. Does not block.
   void start();
   /// Call it before every Robot::step(), with the same duration in ms, 8 or more, best a multiple of 8. Computes the

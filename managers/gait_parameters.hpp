@@ -1,0 +1,19 @@
+// Gait parameters of the public header, converted and checked.
+#pragma once
+
+#include <string>
+
+#include "DARwInOPGaitManager.hpp"
+#include "managers/gait/parameters.hpp"
+
+namespace managers {
+
+[[nodiscard]] DARwInOPGaitManager::GaitParameters publicParameters(const darwinop::gait::Parameters& inside);
+
+/// Overwrites the parameters of the public header; the others stay.
+void assign(darwinop::gait::Parameters& inside, const DARwInOPGaitManager::GaitParameters& parameters);
+
+/// Message about the first value out of its range, or NaN; empty: all are in range.
+[[nodiscard]] std::string findParameterError(const darwinop::gait::Parameters& parameters);
+
+}  // namespace managers
