@@ -24,7 +24,7 @@ class StepClock {
     if (passed_ms > kPauseMs) return restarted(declared_ms);
     note(declared_ms, passed_ms);
     round_ms_ += kSmoothing * (std::max(passed_ms, declared_ms) - round_ms_);
-    ahead_ms_ = std::max(0.0, ahead_ms_ + passed_ms - declared_ms);
+    ahead_ms_ = std::max(-kMaxRoundMs, ahead_ms_ + passed_ms - declared_ms);  // images may come unevenly
     if (ahead_ms_ < cycle_ms) return declared_ms;
     const double all_ms = std::floor(ahead_ms_ / kTick) * kTick;
     const double added_ms = std::min(all_ms, std::max(0.0, kMaxRoundMs - declared_ms));

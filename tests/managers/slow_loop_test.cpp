@@ -80,6 +80,16 @@ TEST_F(SlowLoop, ALoopInTimeGetsNoSuchMessage) {
   }
 }
 
+TEST(StepClock, UnevenImagesOfALoopInTimeAddNothing) {
+  managers::StepClock clock;
+  double robot_ms = 0, played_ms = 0;
+  for (int step = 0; step < 1000; ++step) {
+    if (step % 2 == 1) robot_ms += 32;
+    played_ms += clock.advance(16, robot_ms, 16);
+  }
+  EXPECT_NEAR(played_ms, 16'000, 32);
+}
+
 /// As in code of the robot, where a thread walked.
 TEST_F(SlowLoop, WithoutStepOfTheManagerTheRobotsStepsWalk) {
   standing().start();
