@@ -6,6 +6,7 @@
 #include <string>
 
 #include "DARwInOPGaitManager.hpp"
+#include "managers/gait/walking_config.hpp"
 #include "managers/gait_parameters.hpp"
 #include "managers/messages.hpp"
 #include "managers/walker.hpp"
@@ -23,6 +24,8 @@ void setAmplitude(double& amplitude, double value, const char* call) {
 }
 
 }  // namespace
+
+struct DARwInOPGaitManager::Walker final : GaitWalker {};
 
 DARwInOPGaitManager::DARwInOPGaitManager(webots::Robot* robot, const std::string& ini_filename) : walker_{new Walker} {
   try {
@@ -78,7 +81,8 @@ DARwInOPGaitManager::GaitParameters DARwInOPGaitManager::getParameters() const {
 bool DARwInOPGaitManager::setParameters(const GaitParameters& parameters) {
   darwinop::gait::Parameters changed = walker_->player.parameters();
   assign(changed, parameters);
-  const std::string error = walker_->robot != nullptr ? findParameterError(changed) : messages::kNotInitialized;
+  const std::string error =
+      walker_->robot != nullptr ? darwinop::gait::findParameterError(changed) : messages::kNotInitialized;
   if (error.empty())
     walker_->player.setParameters(changed);
   else

@@ -1,8 +1,6 @@
 // Gait parameters of the public header, converted and checked.
 #include "managers/gait_parameters.hpp"
 
-#include "core/text/number_text.hpp"
-
 namespace managers {
 
 namespace {
@@ -54,17 +52,6 @@ Public publicParameters(const Inside& inside) {
 
 void assign(Inside& inside, const Public& parameters) {
   for (const Field& field : kFields) inside.*field.inside = parameters.*field.outside;
-}
-
-std::string findParameterError(const Inside& parameters) {
-  namespace text = darwinop::text;
-  for (const darwinop::gait::ParameterRow& row : darwinop::gait::kParameters) {
-    const double value = parameters.*row.field;
-    if (value >= row.low && value <= row.high) continue;  // NaN is not
-    return std::string{row.name} + " = " + text::shortestText(value) + ": give a number from " +
-           text::shortestText(row.low) + " to " + text::shortestText(row.high) + " (" + std::string{row.unit} + ")";
-  }
-  return {};
 }
 
 }  // namespace managers

@@ -1,8 +1,6 @@
 // Gait parameters of the public header, converted and checked.
 #pragma once
 
-#include <string>
-
 #include "DARwInOPGaitManager.hpp"
 #include "managers/gait/parameters.hpp"
 
@@ -12,8 +10,5 @@ namespace managers {
 
 /// Overwrites the parameters of the public header; the others stay.
 void assign(darwinop::gait::Parameters& inside, const DARwInOPGaitManager::GaitParameters& parameters);
-
-/// Message about the first value out of its range, or NaN; empty: all are in range.
-[[nodiscard]] std::string findParameterError(const darwinop::gait::Parameters& parameters);
 
 }  // namespace managers

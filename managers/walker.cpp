@@ -37,7 +37,7 @@ void warnOfGait(const std::string& what) {
   darwinop::webots_api::warnOnce("GaitManager: " + what);
 }
 
-void DARwInOPGaitManager::Walker::prepare(webots::Robot& with, const std::string& ini) {
+void GaitWalker::prepare(webots::Robot& with, const std::string& ini) {
   gait::WalkingConfig config = gait::readWalkingConfig(ini);
   for (const std::string& warning : config.warnings) warnOfGait(warning);
   player = darwinop::body_player::WalkPlayer{config.parameters};
@@ -48,27 +48,27 @@ void DARwInOPGaitManager::Walker::prepare(webots::Robot& with, const std::string
 }
 
 /// Starts at the present joint positions.
-void DARwInOPGaitManager::Walker::begin() {
+void GaitWalker::begin() {
   if (!walk().resting()) player.abandon();  // a motion page interrupted a step
   clock.restart();
   player.start(motors.present());
   motors.take(player);
 }
 
-darwinop::body_player::GyroReading DARwInOPGaitManager::Walker::gyroReading() const {
+darwinop::body_player::GyroReading GaitWalker::gyroReading() const {
   const double* const counts = gyro != nullptr ? gyro->getValues() : nullptr;
   if (counts == nullptr) return {std::nan(""), std::nan(""), 0};
   return {counts[0], counts[1], motors.cycleOfReading()};
 }
 
-void DARwInOPGaitManager::Walker::step(int ms) {
+void GaitWalker::step(int ms) {
   if (requested && motors.areAnothers()) return;  // a motion page is playing
   if (requested && !motors.areOurs()) begin();
   advance(clock.advance(ms, motors.robotMs(), motors.periodMs()));
   warnIfSlow(ms);
 }
 
-void DARwInOPGaitManager::Walker::advance(double ms) {
+void GaitWalker::advance(double ms) {
   const bool walked = walk().walking();
   // At rest the gyroscope is calibrated in any loop.
   const bool balances = balance && (!walked || clock.roundMs() <= kBalanceRoundMs);
@@ -79,21 +79,21 @@ void DARwInOPGaitManager::Walker::advance(double ms) {
   if (walk().resting()) motors.giveBack();
 }
 
-gait::WalkCommand DARwInOPGaitManager::Walker::pacedCommand() const {
+gait::WalkCommand GaitWalker::pacedCommand() const {
   if (clock.roundMs() <= kStrideRoundMs) return command;
   gait::WalkCommand shorter = command;
   for (double* const amplitude : {&shorter.x, &shorter.y, &shorter.a}) *amplitude *= kSlowStride;
   return shorter;
 }
 
-void DARwInOPGaitManager::Walker::warnIfSlow(int ms) {
+void GaitWalker::warnIfSlow(int ms) {
   const double round_ms = clock.slowRoundMs();
   if (round_ms == 0 || slow_warned || !walk().walking()) return;
   slow_warned = true;
   warnOfGait(messages::tooSlow(round_ms, ms));
 }
 
-void DARwInOPGaitManager::Walker::stop() {
+void GaitWalker::stop() {
   if (!canWalk()) return;
   requested = false;
   if (walk().resting()) return;
@@ -116,7 +116,7 @@ void DARwInOPGaitManager::Walker::stop() {
   }
 }
 
-void DARwInOPGaitManager::Walker::finish() {
+void GaitWalker::finish() {
   requested = false;
   if (robot == nullptr || !motors.exist() || !motors.areOurs() || !walk().walking()) return;
   player.stop();

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "DARwInOPGaitManager.hpp"
 #include "managers/body_player/walk_player.hpp"
 #include "managers/borrowed_motors.hpp"
 #include "managers/step_clock.hpp"
@@ -18,7 +17,8 @@ namespace managers {
 /// Logs once.
 void warnOfGait(const std::string& what);
 
-struct DARwInOPGaitManager::Walker final : darwinop::webots_api::StepObserver {
+/// All members are for the manager.
+struct GaitWalker : darwinop::webots_api::StepObserver {
   webots::Robot* robot = nullptr;  // null: not initialized
   BorrowedMotors motors;
   webots::Gyro* gyro = nullptr;
@@ -31,9 +31,9 @@ struct DARwInOPGaitManager::Walker final : darwinop::webots_api::StepObserver {
   bool stepped = false;    // the controller calls step(); otherwise Robot::step() walks
   bool slow_warned = false;
 
-  Walker() = default;
+  GaitWalker() = default;
   /// The same robot and commands, at rest.
-  Walker(const Walker& other)
+  GaitWalker(const GaitWalker& other)
       : StepObserver{},
         robot{other.robot},
         motors{other.motors},
@@ -41,9 +41,9 @@ struct DARwInOPGaitManager::Walker final : darwinop::webots_api::StepObserver {
         player{other.player.parameters()},
         command{other.command},
         balance{other.balance} {}
-  Walker& operator=(const Walker&) = delete;
+  GaitWalker& operator=(const GaitWalker&) = delete;
   /// A walk ends on both feet.
-  ~Walker() override { finish(); }
+  ~GaitWalker() override { finish(); }
 
   /// Reads the file and enables the gyroscope. Throws std::runtime_error.
   void prepare(webots::Robot& with, const std::string& ini);

@@ -17,6 +17,11 @@ namespace {
 // Value that means "absent" in files of 2013.
 constexpr double kAbsent = -1024;
 
+std::string rangeMessage(const ParameterRow& row, std::string_view key, std::string_view value) {
+  return std::string{key} + " = " + std::string{value} + ": give a number from " + text::shortestText(row.low) +
+         " to " + text::shortestText(row.high) + " (" + std::string{row.unit} + ")";
+}
+
 class WalkingConfigReader final : public text::IniReader {
  public:
   explicit WalkingConfigReader(const std::string& file) : file_{file} {}
@@ -43,9 +48,7 @@ class WalkingConfigReader final : public text::IniReader {
     const std::optional<double> number = text::numberFromText(value);
     if (number && *number == kAbsent) return;
     if (!number || !(*number >= row->low && *number <= row->high))
-      throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give a number from " +
-                               text::shortestText(row->low) + " to " + text::shortestText(row->high) + " (" +
-                               std::string{row->unit} + ")");
+      throw std::runtime_error(rangeMessage(*row, key, value));
     config_.parameters.*row->field = *number;
     if ((name == "i_gain" || name == "d_gain") && *number != 0)
       warn(line, "key \"" + name + "\" has no effect on this robot; only p_gain has");
@@ -65,6 +68,15 @@ class WalkingConfigReader final : public text::IniReader {
 };
 
 }  // namespace
+
+std::string findParameterError(const Parameters& parameters) {
+  for (const ParameterRow& row : kParameters) {
+    const double value = parameters.*row.field;
+    if (!(value >= row.low && value <= row.high))  // also NaN
+      return rangeMessage(row, row.name, text::shortestText(value));
+  }
+  return {};
+}
 
 WalkingConfig parseWalkingConfig(std::string_view text, const std::string& file) {
   return WalkingConfigReader{file}.read(text);

@@ -18,6 +18,9 @@ struct WalkingConfig {
 /// range for an invalid value.
 WalkingConfig parseWalkingConfig(std::string_view text, const std::string& file);
 
+/// Message about the first value out of its range, or NaN, with the range; empty: all are in range.
+std::string findParameterError(const Parameters& parameters);
+
 /// Reads `path`. A missing file gives the defaults and a warning; a read error throws.
 WalkingConfig readWalkingConfig(const std::string& path);
 
