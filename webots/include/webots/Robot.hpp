@@ -115,8 +115,9 @@ class Robot {
   ///
   /// Returns 0: in time. Positive: late by this many ms, and the next step counts from now. -1: end the program; every
   /// later call returns -1 at once. Reasons, printed once: Ctrl-C, Ctrl-\, SIGTERM, SIGHUP, SIGXCPU, SIGPWR, a fault
-  /// that ends controllers (docs/faults.md), or the loop has ended. A second Ctrl-C, Ctrl-\ or SIGTERM 0.3 s after the
-  /// first kills the program; where it hosts the loop, the joints then stay under torque.
+  /// that ends controllers (docs/faults.md), or the loop has ended. After a signal during a walk of the gait manager
+  /// the first -1 comes when its steps are finished, after 2.9 s at most. A second Ctrl-C, Ctrl-\ or SIGTERM 0.3 s
+  /// after the first kills the program; where it hosts the loop, the joints then stay under torque.
   ///
   /// Real time on a robot and with a port; with `--robot virtual` and `twin` the step runs the cycles itself, as fast
   /// as the machine allows. Simulator: does not return a delay when synchronized.
