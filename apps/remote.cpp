@@ -17,6 +17,7 @@
 #include "hal/diagnostics.hpp"
 #include "hal/net/bounded_log.hpp"
 #include "hal/signals.hpp"
+#include "remote/jpeg/black_image.hpp"
 #include "remote/robot/link_port.hpp"
 #include "remote/server/messages.hpp"
 #include "remote/server/server.hpp"
@@ -92,6 +93,8 @@ int serveRemote(const RemoteArguments& given) {
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
                                remote::kWholeImage.height / given.height_zoom};
+  remote::JpegEncoder encoder{size, remote::qualityOf(size)};
+  config.no_picture = remote::blackImage(encoder);
   const auto open_frames = [&](runtime::RobotLink& link, PictureForm form) {
     return connect::openCamera(link, {.settings = controller.camera, .form = form, .log = sayRemote});
   };

@@ -15,6 +15,7 @@ inline constexpr const char* kOtherProtocol =
     "was disconnected: it uses another protocol; its first byte does not start a request";
 inline constexpr const char* kSkippedBytes = ": skipped bytes that do not start a request";
 inline constexpr const char* kUnknownSection = "received unknown message: byte ";
+inline constexpr const char* kNoPictures = " requests pictures, but there are none: ";
 inline constexpr const char* kUnknownJoints = "sends 0 for joints above 19, which do not exist";
 
 // Why a session is not resumed.

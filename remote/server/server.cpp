@@ -151,7 +151,8 @@ bool Server::mustAwait(std::uint64_t cycle, const Sensors& seen) const {
 JpegPicture Server::picture(const Request& request) {
   if (!request.camera) return {};
   if (!pictures_ && !client_->logged_no_picture) openPictures();
-  return pictures_ ? pictures_->newest() : JpegPicture{};
+  if (pictures_) return pictures_->newest();
+  return request.extended ? JpegPicture{} : JpegPicture{.jpeg = config_.no_picture};
 }
 
 void Server::openPictures() {
@@ -163,7 +164,7 @@ void Server::openPictures() {
   }
   if (pictures_) return;
   client_->logged_no_picture = true;
-  log(client_->name() + " requests pictures but gets none: " + why);
+  log(client_->name() + messages::kNoPictures + why);
 }
 
 void Server::logRequestIssues(const RequestIssues& issues) {

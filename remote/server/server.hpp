@@ -28,6 +28,9 @@ struct ServerConfig {
       std::chrono::milliseconds{500}};  // without a complete request: the robot holds and the lease is given back
   /// Rate limit: average time per piece of work (connection, read of 1 kB, reply), with bursts of 64. 0: no limit.
   Nanos pace{std::chrono::microseconds{500}};
+  /// JPEG for clients without the extension while the robot has no camera: they cannot read a picture of 0 bytes, which
+  /// is what they get if this is empty.
+  std::vector<std::uint8_t> no_picture{};
 };
 
 class Server {

@@ -8,9 +8,11 @@
 
 #include <csignal>
 #include <fstream>
+#include <span>
 #include <thread>
 
 #include "hal/net/socket.hpp"
+#include "remote/jpeg/decoder.hpp"
 #include "remote/protocol/examples.hpp"
 #include "remote/server/messages.hpp"
 #include "support/hex.hpp"
@@ -71,6 +73,22 @@ TEST_F(RemoteCommand, ServesARobotUntilItIsAskedToEnd) {
   EXPECT_EQ(ask(next, kEmptyRequest), kEmptyReply);
   server.kill(SIGINT);
   EXPECT_EQ(server.wait(20s), 0) << server.output();
+}
+
+TEST_F(RemoteCommand, SendsABlackPictureOfItsSizeIfTheRobotHasNoCamera) {
+  Program server = run({"2", "4"});
+  const net::Socket client = connectTo(portOf(server));
+  const std::vector<std::uint8_t> reply = fromHex(ask(client, kCameraRequest));
+  constexpr std::size_t kHeader = 9, kNul = 1;
+  ASSERT_GT(reply.size(), kHeader + kNul) << server.output();
+  const std::span<const std::uint8_t> jpeg{reply.data() + kHeader, reply.size() - kHeader - kNul};
+  constexpr ImageSize kSize{160, 60};
+  EXPECT_EQ(imageSizeOf(jpeg), kSize);
+  std::vector<std::uint8_t> bgra(std::size_t{4} * kSize.width * kSize.height);
+  EXPECT_EQ(decodeJpeg(jpeg, kSize, bgra), nullptr);
+  for (std::size_t byte = 0; byte < bgra.size(); ++byte) ASSERT_EQ(bgra[byte], byte % 4 == 3 ? 255 : 0) << byte;
+  server.kill(SIGTERM);
+  EXPECT_EQ(server.wait(20s), 0);
 }
 
 TEST_F(RemoteCommand, KeepsRunningWhenItsOutputIsNotRead) {

@@ -219,6 +219,19 @@ TEST(RemoteExtension, APictureIsSentOnce) {
   EXPECT_TRUE(second->extension->holds_picture);
 }
 
+TEST(RemoteExtension, ThePictureOfARobotWithoutACameraIsAbsent) {
+  ServerConfig config = Served::unhurried();
+  config.no_picture = {1, 2, 3};
+  Served served{{}, config};
+  ExtendedClient client{served};
+  Request request = extendedRequest();
+  request.camera = true;
+  const auto reply = client.ask(request);
+  ASSERT_TRUE(reply);
+  EXPECT_TRUE(reply->jpeg.empty()) << "a client that reads the extension reports a missing camera";
+  EXPECT_EQ(reply->extension->picture, 0);
+}
+
 TEST(RemoteExtension, IsSentOnlyOnRequest) {
   Served served;
   TestClient client{served};

@@ -49,11 +49,14 @@ TEST(RemoteServer, SendsReplyAndNulTogether) {
   EXPECT_EQ(client.ask(kCameraRequest), kCameraReply);
 }
 
-TEST(RemoteServer, SendsAnEmptyPictureIfThereIsNoCamera) {
-  Served served;
+TEST(RemoteServer, SendsTheConfiguredPictureIfThereIsNoCamera) {
+  ServerConfig config = Served::unhurried();
+  config.no_picture = FixedEye{}.jpeg;
+  Served served{{}, config};
   TestClient client{served};
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(client.ask(kCameraRequest), "57 00 00 00 09 00 00 00 00 00");
-  EXPECT_EQ(std::ranges::count_if(served.said, [](auto& line) { return line.find("pictures") != std::string::npos; }),
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(client.ask(kCameraRequest), kCameraReply);
+  EXPECT_EQ(std::ranges::count_if(served.said,
+                                  [](auto& line) { return line.find(messages::kNoPictures) != std::string::npos; }),
             1);
 }
 
