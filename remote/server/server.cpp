@@ -126,6 +126,7 @@ bool Server::resume(const Request& request) {
     return false;
   }
   const JpegPicture newest = picture(request);
+  finishedWork();
   StaleValues stale;
   Reply reply = makeReply(request, seen, newest.jpeg, stale);
   if (request.extended) {
@@ -153,6 +154,13 @@ JpegPicture Server::picture(const Request& request) {
   if (!pictures_ && !client_->logged_no_picture) openPictures();
   if (pictures_) return pictures_->newest();
   return request.extended ? JpegPicture{} : JpegPicture{.jpeg = config_.no_picture};
+}
+
+/// In simulated time a request runs cycles and renders a picture, which may take seconds: the client waits meanwhile,
+/// so its silence starts now.
+void Server::finishedWork() {
+  now_ = clock_();
+  client_->last_request_at = now_;
 }
 
 void Server::openPictures() {

@@ -62,6 +62,7 @@ class Server {
   void refuse(const Request& request, const std::string& what, const std::string& why);
   [[nodiscard]] bool mustAwait(std::uint64_t cycle, const Sensors& seen) const;
   [[nodiscard]] JpegPicture picture(const Request& request);
+  void finishedWork();
   void openPictures();
   void accept();
   void checkSilence();

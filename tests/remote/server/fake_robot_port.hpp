@@ -1,6 +1,7 @@
 // RobotPort that records its calls.
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct FakeRobotPort final : RobotPort {
   Sensors seen{};
   std::string refusal, must_end;
   bool driven = false;
+  std::function<void()> on_apply{};  // what else a request does, for example take time
 
   FakeRobotPort() {
     for (std::size_t i = 0; i < kJoints; ++i) {
@@ -36,7 +38,10 @@ struct FakeRobotPort final : RobotPort {
     events.emplace_back("left alone");
     driven = false;
   }
-  void apply(const Request& request) override { applied.push_back(request); }
+  void apply(const Request& request) override {
+    applied.push_back(request);
+    if (on_apply) on_apply();
+  }
   Sensors sensors() override { return seen; }
   std::string endReason() override { return must_end; }
   void hold() noexcept override {

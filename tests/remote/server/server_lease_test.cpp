@@ -61,6 +61,17 @@ TEST(RemoteServer, HoldsTheRobotOfASilentClientThatMayResume) {
   EXPECT_FALSE(late.connected()) << "it drives again";
 }
 
+TEST(RemoteServer, CountsSilenceFromTheEndOfItsOwnWork) {
+  Served served;
+  served.robot.on_apply = [&] { served.now += 700ms; };  // a simulation on a busy machine
+  TestClient client{served};
+  for (int request = 0; request < 3; ++request) EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);
+  served.pass(499ms);
+  EXPECT_THAT(served.robot.events, ElementsAre("new")) << "the client waited for the server";
+  served.pass(1ms);
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "hold"));
+}
+
 TEST(RemoteServer, ReplacesASilentClientByTheNext) {
   Served served;
   TestClient silent{served};
