@@ -6,12 +6,13 @@
 #include <time.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 
 #include "runtime/log_columns.hpp"
 #include "runtime/version.hpp"
@@ -52,6 +53,11 @@ std::string commented(std::string_view lines) {
   return text;
 }
 
+LogFile openRecording(const std::string& path) try { return LogFile{path}; } catch (const std::system_error& error) {
+  throw std::runtime_error("cannot write the recording " + path + ": " + std::strerror(error.code().value()) +
+                           "; choose another file with --record");
+}
+
 std::string today() {
   const time_t now = time(nullptr);
   tm utc{};
@@ -63,10 +69,7 @@ std::string today() {
 }  // namespace
 
 Recorder::Recorder(const std::string& path, const LogHead& head, Writer writer)
-    : path_{path}, file_{std::fopen(path.c_str(), "we")}, ring_{std::make_unique<Ring<LogRow, kRows>>()} {
-  if (file_ == nullptr)
-    throw std::runtime_error("cannot write the recording " + path + ": " + std::strerror(errno) +
-                             "; choose another file with --record");
+    : path_{path}, file_{openRecording(path)}, ring_{std::make_unique<Ring<LogRow, kRows>>()} {
   line_.reserve(8192);
   writeHead(head);
   if (writer == Writer::kThread) thread_ = std::thread{[this] { run(); }};
@@ -79,8 +82,7 @@ Recorder::~Recorder() {
   if (const std::uint32_t lost = ring_->dropped(); lost != 0)
     put(kLostRows + std::to_string(lost) + " (the disk was too slow)\n");
   put("# end\n");
-  if (std::fclose(file_) != 0 && !failed_)
-    std::cerr << "the recording " << path_ << " is not complete: " << std::strerror(errno) << '\n';
+  if (!failed_) check(file_.close());
 }
 
 void Recorder::push(const Commands& asked, const Sensors& sensors) noexcept {
@@ -92,7 +94,7 @@ void Recorder::drain() {
     writeRow(*row);
     ring_->pop();
   }
-  if (!failed_ && std::fflush(file_) != 0) put("");
+  if (!failed_) check(file_.flush());
 }
 
 void Recorder::run() {
@@ -141,11 +143,10 @@ void Recorder::writeRow(const LogRow& row) {
   put(line_);
 }
 
-void Recorder::put(const std::string& text) {
-  if (failed_) return;
-  if (std::fwrite(text.data(), 1, text.size(), file_) == text.size() && std::ferror(file_) == 0) return;
+void Recorder::check(int error) {
+  if (error == 0) return;
   failed_ = true;
-  std::cerr << "the recording " << path_ << " ends here: " << std::strerror(errno) << "; the loop continues\n";
+  std::cerr << "the recording " << path_ << " ends here: " << std::strerror(error) << "; the loop continues\n";
 }
 
 }  // namespace darwinop::runtime

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <atomic>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "hal/byte_line.hpp"
+#include "runtime/log_file.hpp"
 #include "runtime/log_row.hpp"
 #include "runtime/ring.hpp"
 
@@ -50,11 +50,12 @@ class Recorder {
 
   void writeHead(const LogHead& head);
   void writeRow(const LogRow& row);
-  void put(const std::string& text);
+  void put(const std::string& text) { check(failed_ ? 0 : file_.put(text)); }
+  void check(int error);
   void run();
 
   std::string path_;
-  std::FILE* file_;
+  LogFile file_;
   bool failed_ = false;  // a write failed; reported once, the loop continues
   std::unique_ptr<Ring<LogRow, kRows>> ring_;
   std::string line_;

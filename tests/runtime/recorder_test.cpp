@@ -1,15 +1,23 @@
 // Recordings: written, read back, described.
 #include "runtime/recorder.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <poll.h>
+#include <pthread.h>
+#include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include "core/conversions.hpp"
 #include "runtime/log_columns.hpp"
@@ -146,6 +154,43 @@ TEST(Recorder, GoesOnWhenTheDiskIsFull) {
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr(std::strerror(ENOSPC)));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+}
+
+std::atomic<int> interruptions{0};
+
+/// A pipe that its reader does not empty until this thread, which writes the recording, was interrupted several times.
+TEST(Recorder, SurvivesCtrlCWhileAPipeIsFull) {
+  std::array<int, 2> pipe_ends{};
+  ASSERT_EQ(pipe2(pipe_ends.data(), O_CLOEXEC), 0);
+  const int read_end = pipe_ends[0], write_end = pipe_ends[1];
+  fcntl(write_end, F_SETPIPE_SZ, 4096);  // less than the header
+  struct sigaction interrupt {
+  }, before{};
+  interrupt.sa_handler = [](int) { ++interruptions; };  // without SA_RESTART
+  sigaction(SIGINT, &interrupt, &before);
+  std::string read_back;
+  std::thread reader{[&, writer = pthread_self()] {
+    for (pollfd room{write_end, POLLOUT, 0}; poll(&room, 1, 0) == 1;) std::this_thread::yield();
+    for (int times = 1; times <= 50; ++times) {
+      pthread_kill(writer, SIGINT);
+      while (interruptions < times) std::this_thread::yield();
+    }
+    close(write_end);
+    std::array<char, 4096> part{};
+    for (ssize_t count = 0; (count = read(read_end, part.data(), part.size())) > 0;)
+      read_back.append(part.data(), static_cast<std::size_t>(count));
+  }};
+  testing::internal::CaptureStderr();
+  {
+    Recorder recorder{"/dev/fd/" + std::to_string(write_end), {}, Recorder::Writer::kByHand};
+    recorder.push(Commands{}, sensorsOf(1));
+    recorder.drain();
+  }
+  reader.join();
+  sigaction(SIGINT, &before, nullptr);
+  close(read_end);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_THAT(read_back, testing::EndsWith("\n# end\n"));
 }
 
 TEST(LogColumns, AreAllDescribedInTheDocumentationWithTheirUnits) {
