@@ -1,4 +1,4 @@
-// The head follows a red ball. Eyes green: ball detected; red: searching. Ends after --seconds N, or with Ctrl-C.
+// The head follows an orange ball. Eyes green: ball detected; red: searching. Ends after --seconds N, or with Ctrl-C.
 // Without a robot, with a moving ball:
 //
 //   DARWINOP_TWIN_BALL=circles darwinop run build/release/controllers/04_visual_tracking --robot twin -- --seconds 20
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   HeadJoint neck(robot.getMotor("Neck")), head(robot.getMotor("Head"));
 
   // Hue and tolerance in degrees, minimum saturation and value in percent; the ball covers 0 to 30 % of the picture.
-  managers::RobotisOp2VisionManager vision(camera->getWidth(), camera->getHeight(), 355, 15, 60, 15, 0, 30);
+  managers::RobotisOp2VisionManager vision(camera->getWidth(), camera->getHeight(), 28, 20, 50, 45, 0, 30);
 
   const double kGain = 0.1;  // rad per step and picture width: 3 rad/s for a ball at the edge
   double last_seen = 0;

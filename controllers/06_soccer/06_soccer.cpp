@@ -1,4 +1,4 @@
-// Soccer: searches a red ball, walks to it, kicks it, and gets up after a fall. Ends after --seconds N, or with Ctrl-C.
+// Soccer: searches an orange ball, walks to it, kicks it, and gets up after a fall. Ends after --seconds N, or with Ctrl-C.
 // Without a robot, with a ball in front of it:
 //
 //   DARWINOP_TWIN_BALL=rests darwinop run build/release/controllers/06_soccer --robot twin -- --seconds 60
@@ -78,7 +78,7 @@ Player::Player()
       gait_(this, "config.ini"),
       motion_(this),
       // Hue and tolerance in degrees, minimum saturation and value in percent; the ball covers 0 to 30 %.
-      vision_(camera_->getWidth(), camera_->getHeight(), 355, 15, 60, 15, 0, 30) {
+      vision_(camera_->getWidth(), camera_->getHeight(), 28, 20, 50, 45, 0, 30) {
   camera_->enable(2 * time_step_);  // the camera gives 30 pictures a second
   accelerometer_->enable(time_step_);
 }

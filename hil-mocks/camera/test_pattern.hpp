@@ -17,7 +17,7 @@ void drawBars(PaintedPicture& picture, std::uint32_t frame);
 std::uint32_t frameNumber(const PaintedPicture& picture);
 
 inline constexpr double kBallTurnS = 4;  // one clockwise turn
-inline constexpr Colour kBallColour{220, 30, 30}, kLawnColour{40, 110, 50};
+inline constexpr Colour kBallColour{230, 110, 25}, kLawnColour{40, 110, 50};
 
 struct PaintedBall {
   double x, y, radius;  // pixels from the left and from the top, of the centre
@@ -25,7 +25,7 @@ struct PaintedBall {
 
 /// Circle around the centre with a radius of a quarter of the height; at time 0 the ball is at the right.
 PaintedBall ballAt(int width, int height, double seconds);
-/// A red ball on green.
+/// An orange ball on green.
 void drawBall(PaintedPicture& picture, double seconds);
 
 }  // namespace darwinop::hil

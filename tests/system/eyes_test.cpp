@@ -70,6 +70,7 @@ TEST_F(EyesOfARobot, SeeNothingInATestPattern) {
 
 TEST_F(EyesOfARobot, AreUsedByControllersOfBothStyles) {
   const runtime::Environment ball{"DARWINOP_TWIN_BALL", "circles"};
+  const runtime::Environment red{"DARWINOP_TWIN_BALL_COLOUR", "red"};  // upstream's visual tracking seeks a red one
   const runtime::Environment recording{"DARWINOP_RECORD", file("log.csv")};
   for (const char* controller : {DARWINOP_TRACKING_OF_2013, DARWINOP_TRACKING_OF_TODAY}) {
     Program running{{program("darwinop-run"), "--robot", "twin", controller}, file("run.txt")};

@@ -45,10 +45,10 @@ test('finds a ball at its position, and not with another colour', () => look(['-
     const [red, green] = document.getElementById('picture').getContext('2d').getImageData(...said, 1, 1).data;
     return {count, far: Math.hypot(said[0] - x / count, said[1] - y / count), red, green};
   });
-  assert.ok(seen.count > 300 && seen.far < 3 && seen.red > 120 && seen.green < 90, JSON.stringify(seen));
+  assert.ok(seen.count > 300 && seen.far < 3 && seen.red > 120 && seen.green > 60 && seen.green < 0.7 * seen.red, JSON.stringify(seen));
   await page.locator('#vision-hue').fill('200');
   await says(page, '#found-text', /^No ball/);
-  assert.match(await page.textContent('#vision-code'), /, 200, 15, 60, 15, 0, 30};$/);
+  assert.match(await page.textContent('#vision-code'), /, 200, 20, 50, 45, 0, 30};$/);
   await page.uncheck('#look-for');
   assert.equal(await page.textContent('#found-text'), '');
 }));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "hal/body.hpp"
 #include "twin/model/model.hpp"
@@ -16,13 +17,21 @@ namespace darwinop::twin {
 /// Ball in front of the robot: none, at rest, or moved on a circle.
 enum class Ball { kNone, kRests, kCircles };
 
+/// Red, green, blue, 0 to 1, before lighting.
+using BallColour = std::array<float, 3>;
+
 struct RobotBodyOptions {
   std::uint64_t seed = 1;  // of noise; runs with the same seed are identical
   Ball ball = Ball::kRests;
+  std::optional<BallColour> ball_colour = {};  // empty: that of the body file
 };
 
 /// DARWINOP_TWIN_BALL: none, rests (default), circles. Throws std::runtime_error for any other value.
 Ball ballFromEnvironment();
+
+/// DARWINOP_TWIN_BALL_COLOUR: orange, red, yellow, blue or #RRGGBB. Empty if it is not set. Throws std::runtime_error
+/// for any other value.
+std::optional<BallColour> ballColourFromEnvironment();
 
 /// Begins in the start pose, kneeling on the floor, at rest. The constructor throws std::runtime_error if MuJoCo cannot
 /// load the body. Not thread-safe; step() allocates nothing.

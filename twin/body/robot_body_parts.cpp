@@ -46,7 +46,9 @@ RobotBody::Parts::Parts(const Model& requested, const RobotBodyOptions& options)
       imu{*m, map, model.imu, options.seed},
       ball_circles{options.ball == Ball::kCircles},
       step_ns{nanosOf(model.body.step_s)},
-      firmware_ns{nanosOf(model.servo.firmware_period_s)} {}
+      firmware_ns{nanosOf(model.servo.firmware_period_s)} {
+  if (options.ball_colour) paintBall(*m, *options.ball_colour);
+}
 
 // Warnings after which the simulation is invalid. MuJoCo only counts them, then resets the state or drops contacts.
 void RobotBody::Parts::checkWarnings() noexcept {

@@ -36,7 +36,8 @@ void* orError(char* error, std::size_t size, Make&& make) {
 void* make(const char* model, std::uint64_t seed, char* error, std::size_t size) {
   return orError(error, size, [&] {
     const std::string name = *model == '\0' ? kDefaultModel : model;
-    const RobotBodyOptions options{.seed = seed, .ball = ballFromEnvironment()};
+    const RobotBodyOptions options{
+        .seed = seed, .ball = ballFromEnvironment(), .ball_colour = ballColourFromEnvironment()};
     return std::make_unique<RobotBody>(readModel(findModel(name)), options).release();
   });
 }

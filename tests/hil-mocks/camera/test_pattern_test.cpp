@@ -6,7 +6,7 @@
 namespace darwinop::hil {
 namespace {
 
-/// Centre of the red pixels.
+/// Centre of the ball's pixels.
 PaintedBall seen(const PaintedPicture& picture) {
   double x_sum = 0, y_sum = 0, count = 0;
   for (int y = 0; y < picture.height; ++y)

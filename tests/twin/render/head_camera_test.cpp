@@ -20,8 +20,10 @@ constexpr int kWidth = 320, kHeight = 240;
 constexpr double kHalfAngle = 1.0123 / 2;  // horizontal, of the robot's camera
 constexpr double kPixels = 3;  // the projection of a ball is an ellipse: its centre is off by up to 2 pixels
 
-Spot redSpot(const RenderedPicture& p) {
-  return centreOf(p, [&](int x, int y) { return red(p, x, y) > 60 && red(p, x, y) > 2 * green(p, x, y); });
+Spot orangeSpot(const RenderedPicture& p) {
+  return centreOf(p, [&](int x, int y) {
+    return red(p, x, y) > 60 && 2 * red(p, x, y) > 3 * green(p, x, y) && red(p, x, y) > 3 * blue(p, x, y);
+  });
 }
 
 /// Expected position of the ball's centre in the picture (pinhole camera).
@@ -53,7 +55,7 @@ class HeadCameraTest : public testing::Test {
     camera_->look();
     (void)camera_->newest();
     EXPECT_EQ(camera_->renderError(), nullptr);
-    return redSpot(camera_->picture());
+    return orangeSpot(camera_->picture());
   }
 
   RobotBody body_ = usualBody();

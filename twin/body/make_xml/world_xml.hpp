@@ -32,7 +32,7 @@ inline constexpr std::string_view kWorld = R"(<mujoco model="darwin-op">
     <material name="led_red" rgba="1 0.15 0.1 1" emission="0.6"/>
     <material name="led_green" rgba="0.15 1 0.25 1" emission="0.6"/>
     <material name="led_blue" rgba="0.2 0.35 1 1" emission="0.6"/>
-    <material name="ball" rgba="0.85 0.1 0.08 1" specular="0.4" shininess="0.5"/>
+    <material name="ball" rgba="0.95 0.42 0.04 1" specular="0.4" shininess="0.5"/>
   </asset>
   <default>
     <!-- Contact pairs are listed at the end: robot, floor and ball; no self collision. Dynamic collision detection

@@ -6,7 +6,7 @@ export class ColourSearch {
   /// `changed` is called after each change.
   constructor(changed) {
     this.changed = changed;
-    this.settings = {...kBalls['Red ball']};
+    this.settings = {...kBalls['Orange ball']};
     this.looks = el('input', {type: 'checkbox', id: 'look-for', checked: true});
     this.tints = el('input', {type: 'checkbox', id: 'tint', checked: true});
     this.band = el('div', {className: 'hues', role: 'img'});

@@ -12,8 +12,8 @@ export const kSettings = [
 
 /// Presets of docs/vision.md and of the example controllers.
 export const kBalls = {
-  'Red ball': {hue: 355, hueTolerance: 15, minSaturation: 60, minValue: 15, minPercent: 0, maxPercent: 30},
   'Orange ball': {hue: 28, hueTolerance: 20, minSaturation: 50, minValue: 45, minPercent: 0, maxPercent: 30},
+  'Red ball': {hue: 355, hueTolerance: 15, minSaturation: 60, minValue: 15, minPercent: 0, maxPercent: 30},
 };
 
 /// The constructor call for a controller.
