@@ -96,7 +96,7 @@ class KeyWork {
     }
     try {
       terminal::KeyTerminal terminal{keys};
-      log("no window (" + why + "): " + kKeysFromTerminal + ", one at a time; Ctrl-C ends the controller");
+      log("no window (" + why + "): " + kKeysFromTerminal + "; Ctrl-C ends the controller");
       if (terminal.run(stop_fd_, ending_) == terminal::KeyTerminal::End::kTerminalGone)
         log("the terminal is gone: no key is pressed from now on");
       return true;

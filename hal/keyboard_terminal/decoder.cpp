@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "hal/keyboard_terminal/key_report.hpp"
+
 namespace darwinop::terminal {
 namespace {
 
@@ -77,43 +79,41 @@ std::optional<Key> ofNumber(int number) {
   return std::nullopt;
 }
 
-/// The second parameter minus one: 1 Shift, 2 Alt, 4 Control.
-Key ofModifierNumber(int number) {
-  const unsigned bits = number > 0 ? static_cast<unsigned>(number) - 1 : 0;
-  return ((bits & 1U) != 0 ? kKeyShift : 0) | ((bits & 2U) != 0 ? kKeyAlt : 0) | ((bits & 4U) != 0 ? kKeyControl : 0);
-}
-
 int firstNumber(std::string_view digits) {
   int number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
   return number;
 }
 
-}  // namespace
-
-std::vector<Key> KeyDecoder::feed(std::string_view bytes, Nanos now) {
-  std::vector<Key> keys;
-  if (const auto alone = timeOut(now)) keys.push_back(*alone);
-  for (const char byte : bytes)
-    if (const auto key = take(static_cast<unsigned char>(byte))) keys.push_back(*key);
-  last_byte_ = now;
-  return keys;
+KeyEvent typed(Key key) {
+  return {KeyEvent::Kind::kTyped, key, static_cast<std::uint32_t>(key & kKeyCodeMask)};
 }
 
-std::optional<Key> KeyDecoder::timeOut(Nanos now) {
+}  // namespace
+
+std::vector<KeyEvent> KeyDecoder::feed(std::string_view bytes, Nanos now) {
+  std::vector<KeyEvent> events;
+  if (const auto alone = timeOut(now)) events.push_back(*alone);
+  for (const char byte : bytes)
+    if (const auto event = take(static_cast<unsigned char>(byte))) events.push_back(*event);
+  last_byte_ = now;
+  return events;
+}
+
+std::optional<KeyEvent> KeyDecoder::timeOut(Nanos now) {
   if (state_ == State::kPlain || now < last_byte_ + kEscapeAlone) return std::nullopt;
   const State was = state_;
   state_ = State::kPlain;
   if (was != State::kEscape) return std::nullopt;  // a truncated sequence
-  return kKeyEscape;
+  return typed(kKeyEscape);
 }
 
-std::optional<Key> KeyDecoder::take(unsigned char byte) {
-  constexpr std::size_t kLongest = 16;
+std::optional<KeyEvent> KeyDecoder::take(unsigned char byte) {
+  constexpr std::size_t kLongest = 32;
   if (byte == kEscapeByte) {
     const bool twice = state_ == State::kEscape;
     state_ = State::kEscape;
-    if (twice) return kKeyEscape;  // pressed twice, or repeating
+    if (twice) return typed(kKeyEscape);  // pressed twice, or repeating
     return std::nullopt;
   }
   switch (state_) {
@@ -123,7 +123,7 @@ std::optional<Key> KeyDecoder::take(unsigned char byte) {
       digits_.clear();
       state_ = byte == '[' ? State::kBracket : byte == 'O' ? State::kLetter : State::kPlain;
       if (state_ != State::kPlain) return std::nullopt;
-      if (const auto key = ofCharacter(byte)) return kKeyAlt | *key;
+      if (const auto key = ofCharacter(byte)) return typed(kKeyAlt | *key);
       return std::nullopt;
     case State::kBracket:
     case State::kLetter:
@@ -139,22 +139,42 @@ std::optional<Key> KeyDecoder::take(unsigned char byte) {
       state_ = State::kPlain;
       return sequence(static_cast<char>(byte));
   }
-  return ofCharacter(byte);
+  if (const auto key = ofCharacter(byte)) return typed(*key);
+  return std::nullopt;
 }
 
-std::optional<Key> KeyDecoder::sequence(char last) const {
+std::optional<KeyEvent> KeyDecoder::sequence(char last) {
   if (digits_ == "[") {
-    if (last >= 'A' && last <= 'E') return kKeyF1 + (last - 'A');
+    if (last >= 'A' && last <= 'E') return typed(kKeyF1 + (last - 'A'));
     return std::nullopt;
   }
-  if (digits_.starts_with('?')) return std::nullopt;  // a terminal report
+  if (digits_.starts_with('?')) return reply(last);
+  if (digits_.empty() && last == 'O') return KeyEvent{KeyEvent::Kind::kFocusLost};
+  if (last == 'u') return withKnownReleases(keyOfReport(digits_));
   const auto semicolon = digits_.find(';');
-  const Key modifiers = semicolon == std::string::npos
-                            ? 0
-                            : ofModifierNumber(firstNumber(std::string_view{digits_}.substr(semicolon + 1)));
+  const KeyState state =
+      semicolon == std::string::npos ? KeyState{} : keyStateOf(std::string_view{digits_}.substr(semicolon + 1));
   const auto key = last == '~' ? ofNumber(firstNumber(digits_)) : ofLetter(last);
   if (!key) return std::nullopt;
-  return *key | modifiers;
+  KeyEvent event = typed(*key);
+  event.key |= state.modifiers;
+  event.kind = state.released ? KeyEvent::Kind::kReleased : KeyEvent::Kind::kPressed;
+  return withKnownReleases(event);
+}
+
+/// xterm can be set to report keys in this form, without releases.
+std::optional<KeyEvent> KeyDecoder::withKnownReleases(std::optional<KeyEvent> event) const {
+  if (has_releases_ || !event || event->kind == KeyEvent::Kind::kModifiers) return event;
+  if (event->kind == KeyEvent::Kind::kReleased) return std::nullopt;
+  event->kind = KeyEvent::Kind::kTyped;
+  return event;
+}
+
+std::optional<KeyEvent> KeyDecoder::reply(char last) {
+  if (last != 'u') return std::nullopt;  // another report of the terminal
+  const int flags = firstNumber(std::string_view{digits_}.substr(1));
+  has_releases_ = (static_cast<unsigned>(flags) & kReportsReleases) != 0;
+  return KeyEvent{KeyEvent::Kind::kReports, flags};
 }
 
 }  // namespace darwinop::terminal

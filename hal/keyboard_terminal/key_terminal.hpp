@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 #include "hal/held_keys.hpp"
 #include "hal/keyboard_terminal/decoder.hpp"
@@ -11,7 +12,8 @@
 
 namespace darwinop::terminal {
 
-/// Created and run by one thread that blocks signals. One per process.
+/// Keys have releases if the terminal can report them (key_report.hpp), else see TypedKey. Created and run by one
+/// thread that blocks signals. One per process.
 class KeyTerminal {
  public:
   enum class End : std::uint8_t { kStopped, kTerminalGone };
@@ -24,13 +26,20 @@ class KeyTerminal {
   End run(int stop_fd, const std::atomic<bool>& ending);
 
  private:
+  /// Without a reply while a key is held, all keys count as released: a lost connection reports no release.
+  static constexpr Nanos kSilence = std::chrono::seconds{1};
+
   [[nodiscard]] bool readAll();
+  void handle(const KeyEvent& event, Nanos now);
+  void watchForSilence(Nanos now);
 
   int fd_;
   RawMode raw_;
   HeldKeys& keys_;
   TypedKey typed_;
   KeyDecoder decoder_;
+  bool has_reports_ = false;
+  std::optional<Nanos> asked_at_;  // query without a reply yet
 };
 
 }  // namespace darwinop::terminal

@@ -12,17 +12,23 @@
 #include <stdexcept>
 #include <string>
 
+#include "hal/diagnostics.hpp"
+#include "hal/keyboard_terminal/key_report.hpp"
+
 namespace darwinop::terminal {
 namespace {
 
 // State for the signal handler; written before the handlers are installed.
 termios before;
 std::atomic<int> raw_fd{-1};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
+std::atomic<bool> reports_keys{false};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+              "a signal handler reads them");
 
 constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
 
-/// tcsetattr() is async-signal-safe. In the background it raises SIGTTOU, hence the blocking.
+/// tcsetattr(), tcflush(), poll() and write() are async-signal-safe. In the background they raise SIGTTOU, hence the
+/// blocking.
 void restore() {
   const int fd = raw_fd.exchange(-1);
   if (fd < 0) return;
@@ -30,6 +36,10 @@ void restore() {
   sigemptyset(&own);
   sigaddset(&own, SIGTTOU);
   pthread_sigmask(SIG_BLOCK, &own, &kept);
+  if (reports_keys.exchange(false)) {
+    (void)writeWithoutWaiting(fd, kEndReports);
+    tcflush(fd, TCIFLUSH);  // reports that the shell would take for text
+  }
   tcsetattr(fd, TCSANOW, &before);
   pthread_sigmask(SIG_SETMASK, &kept, nullptr);
 }
@@ -68,7 +78,7 @@ void watchNoMore() {
 
 }  // namespace
 
-RawMode::RawMode(int fd) {
+RawMode::RawMode(int fd) : fd_{fd} {
   if (isatty(fd) == 0) throw std::runtime_error(kInputNotATerminal);
   if (tcgetpgrp(fd) != getpgrp()) throw std::runtime_error("this program runs in the background");
   if (raw_fd >= 0) throw std::runtime_error("this terminal is already used for keyboard input");
@@ -94,6 +104,24 @@ RawMode::RawMode(int fd) {
 RawMode::~RawMode() {
   restore();
   watchNoMore();
+}
+
+void RawMode::askForReports() noexcept {
+  (void)writeWithoutWaiting(fd_, kAskForReports);
+}
+
+bool RawMode::startReports() {
+  if (reports_keys.exchange(true)) return false;
+  (void)writeWithoutWaiting(fd_, std::string{kStartReports} + std::string{kAskForReports});
+  return true;
+}
+
+int RawMode::signalOf(Key key) noexcept {
+  constexpr int kControlBits = 0x1F;  // of the byte that Control and a letter send
+  if ((before.c_lflag & ISIG) == 0 || (key & ~kKeyCodeMask) != kKeyControl) return 0;
+  const int code = key & kKeyCodeMask, byte = code & kControlBits;
+  if (code <= '@' || code > '_') return 0;
+  return byte == before.c_cc[VINTR] ? SIGINT : byte == before.c_cc[VQUIT] ? SIGQUIT : 0;
 }
 
 }  // namespace darwinop::terminal

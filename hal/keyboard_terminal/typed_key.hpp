@@ -1,4 +1,4 @@
-// Key hold time for terminals, which report key presses but no releases.
+// Taps and held keys of terminals that report key presses but no releases.
 #pragma once
 
 #include <chrono>
@@ -8,24 +8,27 @@
 
 namespace darwinop::terminal {
 
-/// A held key repeats after 0.25 s (Linux console), 0.5 s (GNOME) or 0.66 s (plain X11), then every 33 to 100 ms.
-/// Hold time: 0.7 s after the first press, to cover the initial delay, and 0.2 s after each repetition. Only the last
-/// key repeats, so another key ends it at once.
+/// A tap is a press for one take(). A held key repeats: first after 0.25 s (Linux console), 0.5 s (GNOME) or 0.66 s
+/// (plain X11), which looks like a second tap, then every 33 to 100 ms. From the second press within kInterval on it
+/// counts as held, for kRepeated after the last one. Only the last key repeats, so another key ends it at once.
 class TypedKey {
  public:
   using Nanos = std::chrono::nanoseconds;
-  static constexpr Nanos kFirst = std::chrono::milliseconds{700}, kRepeated = std::chrono::milliseconds{200};
+  static constexpr Nanos kInterval = std::chrono::milliseconds{120}, kRepeated = std::chrono::milliseconds{200};
 
   /// `keys` must outlive it.
   explicit TypedKey(HeldKeys& keys) : keys_{keys} {}
 
   void type(Key key, Nanos now) {
     expire(now);
-    const bool repeated = until_ && key == key_;
+    const bool repeated = last_ && key == key_ && (until_ || now - *last_ < kInterval);
     if (!repeated) keys_.releaseAll();
-    keys_.press(static_cast<std::uint32_t>(key), key & kKeyCodeMask, key & ~kKeyCodeMask);
+    const auto id = static_cast<std::uint32_t>(key);
+    keys_.press(id, key & kKeyCodeMask, key & ~kKeyCodeMask);
+    if (!repeated) keys_.release(id);
     key_ = key;
-    until_ = now + (repeated ? kRepeated : kFirst);
+    last_ = now;
+    until_ = repeated ? std::optional{now + kRepeated} : std::nullopt;
   }
 
   void expire(Nanos now) {
@@ -37,7 +40,7 @@ class TypedKey {
  private:
   HeldKeys& keys_;
   Key key_ = 0;
-  std::optional<Nanos> until_;
+  std::optional<Nanos> last_, until_;  // last press; end of a held key, empty while none is held
 };
 
 }  // namespace darwinop::terminal

@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "connect/keys.hpp"
+#include "hal/keyboard_terminal/key_report.hpp"
 #include "hal/keyboard_terminal/raw_mode.hpp"
 #include "hal/keyboard_x11/display.hpp"
 
@@ -84,9 +85,18 @@ class Terminal : public testing::Test {
       std::array<char, 256> part{};
       if (poll(&ready, 1, 20) != 1) continue;
       const ssize_t count = read(master, part.data(), part.size());
-      if (count > 0) shown.append(part.data(), static_cast<std::size_t>(count));
+      if (count <= 0) continue;
+      shown.append(part.data(), static_cast<std::size_t>(count));
+      reply();
     }
     return shown.find(text) != std::string::npos;
+  }
+  /// As a terminal that can report keys. Queries may be in the middle of other output.
+  void reply() {
+    for (std::size_t query = 0; (query = shown.find(terminal::kAskForReports)) != std::string::npos;) {
+      shown.erase(query, terminal::kAskForReports.size());
+      if (replies) type(shown.find(terminal::kStartReports) < query ? "\x1b[?15u" : "\x1b[?0u");
+    }
   }
   /// True: line mode with echo, as before. False: raw mode.
   [[nodiscard]] bool isAsBefore() const {
@@ -108,6 +118,7 @@ class Terminal : public testing::Test {
   pid_t pid = 0;
   int master = -1;
   std::string shown;
+  bool replies = false;  // to kAskForReports
 };
 
 TEST_F(Terminal, ReadsArrowsAndLettersAndRestoresTheTerminal) {
@@ -120,6 +131,59 @@ TEST_F(Terminal, ReadsArrowsAndLettersAndRestoresTheTerminal) {
   type("q");
   EXPECT_TRUE(shows("[ 81 ]")) << shown;
   EXPECT_EQ(ending(), 0);
+  EXPECT_TRUE(isAsBefore());
+}
+
+class ReportingTerminal : public Terminal {
+ protected:
+  void startReporting() {
+    replies = true;
+    start();
+    ASSERT_TRUE(shows(std::string{terminal::kStartReports})) << shown;
+  }
+};
+
+TEST_F(ReportingTerminal, HoldsSeveralKeysUntilTheyAreReleased) {
+  startReporting();
+  type("\x1b[A\x1b[32u");
+  EXPECT_TRUE(shows("[ 315 32 ]")) << shown;
+  type("\x1b[32;1:3u");
+  EXPECT_TRUE(shows("[ 315 ]")) << shown;
+  type("\x1b[1;1:3A");
+  EXPECT_TRUE(shows("[ ]")) << shown;
+  type("\x1b[113u");  // q
+  EXPECT_TRUE(shows(std::string{terminal::kEndReports})) << shown;
+  EXPECT_EQ(ending(), 0);
+}
+
+TEST_F(ReportingTerminal, ReleasesItsKeysWhenItLosesTheFocus) {
+  startReporting();
+  type("\x1b[A");
+  EXPECT_TRUE(shows("[ 315 ]")) << shown;
+  type("\x1b[O");
+  EXPECT_TRUE(shows("[ ]")) << shown;
+}
+
+TEST_F(ReportingTerminal, ReleasesItsKeysWhenItRepliesNoMore) {
+  startReporting();
+  type("\x1b[A");
+  EXPECT_TRUE(shows("[ 315 ]")) << shown;
+  replies = false;
+  EXPECT_TRUE(shows("[ ]")) << shown;
+}
+
+TEST_F(ReportingTerminal, InterruptsTheProgramAtControlC) {
+  startReporting();
+  type("\x1b[99;5u");
+  EXPECT_TRUE(shows(std::string{terminal::kEndReports})) << shown;
+  EXPECT_TRUE(becomesAsBefore());
+}
+
+TEST_F(ReportingTerminal, IsRestoredAfterACrash) {
+  startReporting();
+  type("\x1b[120u");  // x
+  EXPECT_TRUE(shows(std::string{terminal::kEndReports})) << shown;
+  EXPECT_EQ(ending(), 128 + SIGABRT);
   EXPECT_TRUE(isAsBefore());
 }
 
