@@ -83,6 +83,7 @@ WalkingConfig parseWalkingConfig(std::string_view text, const std::string& file)
 }
 
 WalkingConfig readWalkingConfig(const std::string& path) {
+  if (path.empty()) return {{}, {kNoConfigName}};
   const std::optional<std::string> text = readTextFile(path);
   if (!text) return {{}, {"cannot find " + path + ": the default gait parameters are used"}};
   return parseWalkingConfig(*text, path);

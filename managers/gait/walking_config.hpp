@@ -21,6 +21,11 @@ WalkingConfig parseWalkingConfig(std::string_view text, const std::string& file)
 /// Message about the first value out of its range, or NaN, with the range; empty: all are in range.
 std::string findParameterError(const Parameters& parameters);
 
+/// Warning of readWalkingConfig() for an empty name, which upstream's controllers may pass.
+inline constexpr const char* kNoConfigName =
+    "the gait manager got an empty file name: the default gait parameters are used; pass \"config.ini\" to read its "
+    "section [Walking Config]";
+
 /// Reads `path`. A missing file gives the defaults and a warning; a read error throws.
 WalkingConfig readWalkingConfig(const std::string& path);
 

@@ -79,5 +79,16 @@ TEST(WalkingConfigFile, AMissingFileGivesTheDefaults) {
   EXPECT_EQ(readWalkingConfig(path).parameters.foot_height, 25);
 }
 
+TEST(WalkingConfigFile, AnEmptyNameGivesTheDefaultsAndIsNamedAsSuch) {
+  const WalkingConfig config = readWalkingConfig("");
+  EXPECT_THAT(config.warnings, ElementsAre(kNoConfigName));
+  EXPECT_EQ(config.parameters.foot_height, Parameters{}.foot_height);
+}
+
+TEST(WalkingConfigFile, AnEmptyKeyIsReportedWithItsLine) {
+  for (const char* line : {"\"\" = 3", "= 3"})
+    EXPECT_THAT(read(line).warnings, ElementsAre(HasSubstr("gait.ini, line 2"))) << line;
+}
+
 }  // namespace
 }  // namespace darwinop::gait
