@@ -50,7 +50,8 @@ close_build_cache() { exec 8>&-; }
 
 # Copies changed files. Compares contents: a restored file may be older than its object.
 copy_sources() {
-  made_with=$(cat "$robot_sdk/share/darwinop/robot-toolchain.mk" "$robot_sdk/share/darwinop/Makefile.include" | cksum)
+  made_with=$(cat "$robot_sdk/share/darwinop/robot-toolchain.mk" "$robot_sdk/share/darwinop/Makefile.include" \
+    "$robot_sdk/share/darwinop/old-make" | cksum)
   list_build_files "$controller_folder" >"$controller_cache/files.now"
   printf '%s\n' "$robot_sdk $made_with" >"$controller_cache/made-with.now"
   if ! cmp -s "$controller_cache/made-with.now" "$controller_cache/made-with" ||
@@ -69,14 +70,17 @@ copy_sources() {
   mv "$controller_cache/made-with.now" "$controller_cache/made-with"
 }
 
-# The controller's Makefile if it includes Makefile.include, else only the rules of Makefile.include.
-choose_makefile() { # -> controller_makefile
+# The controller's Makefile if it is for Makefile.include or from before it, else only the rules of Makefile.include.
+choose_makefile() { # -> controller_makefile makefile_is_full
+  makefile_is_full=0
   printf 'include %s\n' "$robot_sdk/share/darwinop/Makefile.include" >"$controller_cache/Makefile.include"
   controller_makefile=../Makefile.include
   for makefile in Makefile.darwin-op Makefile.robotis-op2; do
     [ -f "$controller_copy/$makefile" ] || continue
-    if [ "$makefile" = Makefile.darwin-op ] || grep -q 'Makefile\.include' "$controller_copy/$makefile"; then
+    if grep -q '^ *include  *\.\./Makefile\.include' "$controller_copy/$makefile"; then
       controller_makefile=$makefile
+    elif [ "$makefile" = Makefile.darwin-op ]; then
+      controller_makefile=$makefile makefile_is_full=1
     else
       say "$makefile is for the libraries of a robot without darwinop; building all *.cpp of the folder instead"
     fi
@@ -92,7 +96,11 @@ run_make() {
     # Compiler settings of this PC must not affect the cross-compilation.
     unset TARGET CXX_SOURCES CXXFLAGS CFLAGS CPPFLAGS LDFLAGS LFLAGS MAKEFLAGS CPATH C_INCLUDE_PATH CPLUS_INCLUDE_PATH \
       LIBRARY_PATH DARWINOP_ROOT WEBOTS_DARWINOP_PROJECT_ROOT
-    exec make -s --no-print-directory -j "$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)" -f "$controller_makefile" 8>&-
+    # From before September 2013: its paths are replaced.
+    maker="make -f" jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+    [ "$makefile_is_full" = 0 ] || maker="$robot_sdk/share/darwinop/old-make"
+    # shellcheck disable=SC2086  # words; the SDK's path has no blanks
+    exec $maker "$controller_makefile" -s --no-print-directory -j "$jobs" 8>&-
   )
 }
 
@@ -140,5 +148,5 @@ compile_controller() { # DIR
   run_make >&2 || die "$controller_name does not compile, see the lines above. Nothing was sent"
   find_program
   is_static_i386 "$controller_program" ||
-    die "${controller_program##*/} is not a static i386 program for the robot. Its $controller_makefile must leave CXX and the libraries to ../Makefile.include"
+    die "${controller_program##*/} is not a static i386 program for the robot. Its $controller_makefile must call the compiler as g++ or c++"
 }

@@ -83,6 +83,60 @@ scenario_its_own_makefile_is_used() {
   done
 }
 
+# As from before September 2013: folders and libraries of Webots and ROBOTIS, a rule of its own, a library of its own.
+scenario_a_full_makefile_with_absolute_paths_is_built() {
+  controller walker 'return answer() + helper() + Robot().value + WALKS;' '#include <webots/Robot.hpp>
+#include "answer.h"
+extern "C" int helper();'
+  mkdir -p "$LAB/sdk/include/darwinop/webots"
+  echo 'struct Robot { int value = 20; };' >"$LAB/sdk/include/darwinop/webots/Robot.hpp"
+  echo 'int helper(void) { return 3; }' >"$LAB/pc/walker/helper.c"
+  cat >"$LAB/pc/walker/Makefile.darwin-op" <<'END'
+TARGET = stroll
+CXX_SOURCES = main.cpp
+ifndef WEBOTS_HOME
+$(error WEBOTS_HOME is not set)
+endif
+CXX = /usr/bin/g++ -DWALKS=4
+CC = gcc
+INCLUDE_DIRS = -I/darwin/Linux/include -I /darwin/Framework/include -I$(WEBOTS_HOME)/include/controller/cpp -I../../include
+CXXFLAGS = -O2 -m32 -DLINUX -DCROSSCOMPILATION -Wall -Werror $(INCLUDE_DIRS)
+LIBS = /darwin/Linux/lib/darwin.a ../../lib/managers.a ../../transfer/lib/wrapper.a /usr/lib/libX11.so.6
+OBJECTS = $(CXX_SOURCES:.cpp=.o)
+all: $(TARGET)
+darwin.a:
+	$(MAKE) -C /darwin/Linux/build
+answer.h:
+	echo 'inline int answer() { int unused; return 10; }' >$@
+main.o: answer.h
+libown.a: helper.o
+	ar rcs $@ $^
+$(TARGET): darwin.a $(OBJECTS) libown.a $(LIBS)
+	$(CXX) $(CXXFLAGS) -o $(TARGET) $(OBJECTS) $(LIBS) libown.a -L/darwin/lib -lX11 -lpthread -ljpeg -lrt
+	chmod 755 $(TARGET)
+END
+  build_controller "$LAB/pc/walker"
+  expect 0
+  result=0; "$program" || result=$?
+  [ $result = 37 ] || fail "the program returns $result"
+  [ "${program##*/}" = stroll ] || fail "the program is called ${program##*/}"
+  for replaced in -I/darwin/Linux/include -I/usr/local/webots/include/controller/cpp /darwin/Linux/lib/darwin.a \
+    ../../lib/managers.a /usr/lib/libX11.so.6 -ljpeg 'make -C /darwin/Linux/build'; do
+    expect_said "Makefile.darwin-op: .*$replaced"
+  done
+  [ "$(grep -c '^Makefile.darwin-op: ' "$LAB/said")" = 1 ] || fail "it is not one line"
+  rm -r "$LAB/sdk/include/darwinop/webots"
+}
+
+scenario_an_absolute_path_to_makefile_include_is_replaced() {
+  controller walker 'return ANSWER;'
+  printf 'CXXFLAGS += -DANSWER=12\ninclude /usr/local/webots/darwin-op/Makefile.include\n' >"$LAB/pc/walker/Makefile.darwin-op"
+  build_controller "$LAB/pc/walker"
+  expect 0
+  result=0; "$program" || result=$?
+  [ $result = 12 ] || fail "the program returns $result"
+}
+
 scenario_a_makefile_for_the_old_libraries_is_left_aside() {
   controller walker 'return 3;'
   printf 'all:\n\tg++ main.cpp /robotis/Linux/lib/darwin.a -o walker\n' >"$LAB/pc/walker/Makefile.robotis-op2"
@@ -112,11 +166,8 @@ scenario_a_program_of_the_pc_is_never_sent() {
   build_controller "$LAB/pc/walker"
   expect 0
   cmp -s "$program" "$LAB/pc/walker/walker" && fail "the student's own build would be sent"
-  for flags in '' -m32 '-static'; do
-    [ "$flags" != -m32 ] || flags='-no-pie'  # requires a loader
-    compiler=g++
-    [ "$flags" != -no-pie ] || compiler=i686-linux-gnu-g++
-    printf 'all:\n\t%s %s main.cpp -o walker\n' $compiler "$flags" >"$LAB/pc/walker/Makefile.darwin-op"
+  for compiler in /usr/bin/g++ '/usr/bin/g++ -static' 'i686-linux-gnu-g++ -no-pie'; do  # the last one requires a loader
+    printf 'all:\n\t%s main.cpp -o walker\n' "$compiler" >"$LAB/pc/walker/Makefile.darwin-op"
     build_controller "$LAB/pc/walker"
     expect 1
     expect_said 'is not a static i386 program for the robot'

@@ -17,6 +17,7 @@ make_sdk() {
   ar rc "$sdk/lib/libdarwinop.a"
   sed 's/@CMAKE_INSTALL_LIBDIR@/lib/; s/@CMAKE_INSTALL_DATADIR@/share/; s/@CMAKE_INSTALL_INCLUDEDIR@/include/
     s/@CMAKE_INSTALL_PREFIX@//; s/@DARWINOP_OTHER_FLAGS@//' "$SOURCE/tools/cmake/Makefile.include.in" >"$sdk/share/darwinop/Makefile.include"
+  install -m 755 "$SOURCE/tools/cmake/old-make.sh" "$sdk/share/darwinop/old-make"
   printf '%s\n' 'CXX := i686-linux-gnu-g++' 'ROBOT_CXXFLAGS := -march=bonnell -mfpmath=sse -fpie' \
     'ROBOT_LFLAGS := -static-pie' >"$sdk/share/darwinop/robot-toolchain.mk"
 }
