@@ -114,11 +114,17 @@ class RobotImpl {
 /// message and ends the program.
 RobotImpl* connectOrExit();
 
+/// The same, but throws std::exception with the reason instead of ending the program.
+RobotImpl* connectOrThrow();
+
 /// The robot of this process; null: none.
 RobotImpl* currentRobot();
 
 /// Folder of the running program and of config.ini.
 std::string programDirectory();
+
+/// Sets it, before the robot is made: for a program that an interpreter runs.
+void setProgramDirectory(const std::string& directory);
 
 /// Sets the robot of this process; for tests.
 RobotImpl* adopt(RobotImpl* robot);

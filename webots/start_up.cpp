@@ -69,23 +69,20 @@ std::unique_ptr<RobotImpl> start() {
   return robot;
 }
 
-[[noreturn]] void giveUp(std::string_view sentence) {
-  logLine(sentence);
-  std::exit(EXIT_FAILURE);
+/// Set by setProgramDirectory(); empty: not set.
+std::string& otherProgramDirectory() {
+  static std::string directory;
+  return directory;
 }
 
 }  // namespace
 
-RobotImpl* connectOrExit() {
-  if (current) giveUp(messages::kSecondRobot);
+RobotImpl* connectOrThrow() {
+  if (current) throw std::runtime_error(messages::kSecondRobot);
   installStopSignals();
   // Line-buffered output also into a pipe (PC, log): it appears immediately and survives a crash.
   if (isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  try {
-    current = start().release();
-  } catch (const std::exception& error) {
-    giveUp(error.what());
-  }
+  current = start().release();
   owner = getpid();
   owning_thread = std::this_thread::get_id();
   if (std::get_terminate() != endAfterException) usual_end = std::set_terminate(endAfterException);
@@ -94,7 +91,21 @@ RobotImpl* connectOrExit() {
   return current;
 }
 
+RobotImpl* connectOrExit() {
+  try {
+    return connectOrThrow();
+  } catch (const std::exception& error) {
+    logLine(error.what());
+    std::exit(EXIT_FAILURE);
+  }
+}
+
+void setProgramDirectory(const std::string& directory) {
+  otherProgramDirectory() = directory;
+}
+
 std::string programDirectory() {
+  if (!otherProgramDirectory().empty()) return otherProgramDirectory();
   std::error_code unknown;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   return unknown ? "." : program.parent_path().string();
