@@ -180,6 +180,18 @@ function(darwinop_rooms_below OUT)
   set(${OUT} "${done}" PARENT_SCOPE)
 endfunction()
 
+# These rooms, which a shared library contains: position-independent code whose symbols are not interposed.
+function(darwinop_make_shareable)
+  foreach(room IN LISTS ARGN)
+    get_target_property(type ${room} TYPE)
+    get_target_property(done ${room} POSITION_INDEPENDENT_CODE)
+    if(type STREQUAL "STATIC_LIBRARY" AND NOT done)
+      set_target_properties(${room} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+      set_property(TARGET ${room} APPEND PROPERTY COMPILE_OPTIONS -fno-semantic-interposition)
+    endif()
+  endforeach()
+endfunction()
+
 # build/rooms/include_paths: PATH|what a source of this room sees. tests/rooms reads it.
 function(darwinop_write_include_paths)
   set(lines "")
