@@ -53,13 +53,16 @@ std::string withAbsolutePath(const std::string& robot) {
   return is_file ? absolute(robot) : robot;
 }
 
-/// The twin library is beside this program, wherever the controller is.
-void setTwinLibraryPath() {
-  namespace fs = std::filesystem;
+/// Folder "lib" of the tree that this program is in, wherever the controller is.
+std::filesystem::path libraries() {
   std::error_code unknown;
-  const fs::path home = fs::read_symlink("/proc/self/exe", unknown).parent_path();
-  const fs::path library = home.parent_path() / "lib" / darwinop::kTwinLibraryFile;
-  if (fs::exists(library, unknown)) setenv("DARWINOP_TWIN_LIBRARY", library.c_str(), 0);
+  return std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path().parent_path() / "lib";
+}
+
+void setTwinLibraryPath() {
+  std::error_code unknown;
+  const std::filesystem::path library = libraries() / darwinop::kTwinLibraryFile;
+  if (std::filesystem::exists(library, unknown)) setenv("DARWINOP_TWIN_LIBRARY", library.c_str(), 0);
 }
 
 /// Options for tcp://USER@HOST only.
@@ -104,7 +107,8 @@ int main(int count, char** arguments) try {
   CLI::App app{
       "Runs a controller on a robot and reports loop statistics. The last line starts with \"report:\" and is "
       "machine-readable.\n\n"
-      "CONTROLLER is the built program or its folder. Arguments after -- are passed to the controller.",
+      "CONTROLLER is the built program, a Python script NAME.py, or its folder. Arguments after -- are passed to the "
+      "controller.",
       "darwinop run"};
   app.formatter(std::make_shared<Usage>());
   app.set_version_flag("--version", DARWINOP_VERSION);
@@ -128,6 +132,7 @@ int main(int count, char** arguments) try {
   setTwinLibraryPath();
   request.robot = withAbsolutePath(request.robot);
   request.record = absolute(request.record);
+  request.python_modules = libraries() / "darwinop/python";
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);
   const char* const robot = std::getenv("DARWINOP_ROBOT");
   const auto target = darwinop::ssh::sshTarget(request.robot.empty() && robot != nullptr ? robot : request.robot);

@@ -24,6 +24,7 @@
 #include "runtime/messages.hpp"
 #include "runtime/names.hpp"
 #include "runtime/operator.hpp"
+#include "runtime/python_command.hpp"
 #include "runtime/report.hpp"
 
 namespace darwinop::runtime {
@@ -123,6 +124,10 @@ process::Start startOf(const RunRequest& request, const std::string& program, co
                        .ends_with_us = true,  // even if we are killed
                        .error_prefix = ""};
   start.command.front() = program;
+  if (isPythonScript(program)) {
+    start.command.insert(start.command.begin(), findPython(request.python_modules));
+    start.environment.push_back(pythonPath(request.python_modules));
+  }
   for (const auto& [name, value] : {std::pair{"DARWINOP_ROBOT=", &request.robot},
                                     {"DARWINOP_RECORD=", &request.record},
                                     {"DARWINOP_PERIOD_MS=", &request.period_ms}})
@@ -145,11 +150,15 @@ process::Ending runToItsEnd(const process::Start& start) {
 std::string controllerProgram(const std::string& controller) {
   namespace fs = std::filesystem;
   fs::path path{controller};
-  if (fs::is_directory(path)) path /= fs::canonical(path).filename();
+  if (fs::is_directory(path)) {
+    path /= fs::canonical(path).filename();
+    const fs::path script = path.string() + kPythonSuffix;
+    if (!fs::exists(path) && fs::exists(script)) path = script;
+  }
   if (!fs::exists(path))
     throw std::runtime_error(messages::kNoSuchController + path.string() +
                              (fs::is_directory(controller) ? "; build it first (make, or ./dev build)" : ""));
-  if (access(path.c_str(), X_OK) != 0)
+  if (!isPythonScript(path) && access(path.c_str(), X_OK) != 0)
     throw std::runtime_error(path.string() + messages::kNotAProgram + "; name the built controller");
   // A name without a slash is a file in the current folder, not a command in PATH.
   return path.has_parent_path() ? path.string() : "./" + path.string();

@@ -11,9 +11,11 @@ struct RunRequest {
   std::string robot;                 // empty: as set in the environment
   std::string record;                // CSV file; empty: no recording
   std::string period_ms;             // empty: as set in the controller's config.ini
+  std::string python_modules = {};   // their folder, for a controller NAME.py
 };
 
-/// Path of the program for `controller`, a program or a folder. Throws std::runtime_error with the path that was tried.
+/// Path of the program for `controller`, a program, a Python script NAME.py or a folder. Throws std::runtime_error with
+/// the path that was tried.
 std::string controllerProgram(const std::string& controller);
 
 /// Runs the controller to its end and prints the report; its last line has a stable format (reportLine()). Returns the

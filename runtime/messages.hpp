@@ -42,6 +42,10 @@ inline constexpr const char* kRemoveMarker = ". Remove it: sudo rm -r ";  // the
 // operator.cpp
 inline constexpr const char* kRuntimeHasEnded = ") has ended; start it again with: darwinop runtime";  // after the pid
 
+// python_command.cpp
+inline constexpr const char* kNoPythonModules = "this build has no Python modules: there is no ";  // then the folder
+inline constexpr const char* kNoPython = "no Python loads the modules in ";                        // then the folder
+
 // report.cpp
 inline constexpr const char* kNoCycle = "The loop has not run a cycle.\n";
 
