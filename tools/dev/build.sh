@@ -2,7 +2,8 @@
 # Builds CMake presets. Sourced from the top folder of the repository.
 . tools/dev/install.sh
 
-# build PRESET [TARGET...]. DARWINOP_WINDOW=ON: fail when npm cannot get the packages of the robot window.
+# build PRESET [TARGET...]. DARWINOP_WINDOW=ON: fail when npm cannot get the packages of the robot window;
+# DARWINOP_PYTHON=ON: when pybind11 or Python's headers are missing.
 build() {
   local preset=$1 folder=build/${1%-tests} launcher=() quiet=() options
   shift
@@ -15,7 +16,8 @@ build() {
   [ -t 1 ] || quiet=(--quiet)
   await_ahead "$preset"
   say "building preset $preset ${*:+($*)}"
-  options=(--preset "$preset" "${launcher[@]}" -DDARWINOP_WINDOW="${DARWINOP_WINDOW:-AUTO}")
+  options=(--preset "$preset" "${launcher[@]}" -DDARWINOP_WINDOW="${DARWINOP_WINDOW:-AUTO}"
+    -DDARWINOP_PYTHON="${DARWINOP_PYTHON:-AUTO}")
   mkdir -p "$folder"
   (
     flock 9  # a stage in the background may use the same folder

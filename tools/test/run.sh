@@ -37,7 +37,7 @@ done
 # Every draw of a test follows from these seeds. The gate always uses the same; deep has another every day.
 day=$(date +%Y%m%d)
 export DARWINOP_SEED=${DARWINOP_SEED:-${keep_going:+$day}}
-export DARWINOP_SEED=${DARWINOP_SEED:-2026} DARWINOP_WINDOW=ON
+export DARWINOP_SEED=${DARWINOP_SEED:-2026} DARWINOP_WINDOW=ON DARWINOP_PYTHON=ON
 export RC_PARAMS=${RC_PARAMS:-seed=$DARWINOP_SEED}
 say "seeds: DARWINOP_SEED=$DARWINOP_SEED RC_PARAMS=$RC_PARAMS"
 

@@ -1,0 +1,16 @@
+// The extension _darwinop: the classes of the packages `controller` and `managers`.
+#include "python/bindings.hpp"
+
+PYBIND11_MODULE(_darwinop, module) {
+  using namespace darwinop::python;
+  module.doc() = "The Webots API and the managers of darwinop-rt. Import controller and managers instead.";
+  bindProperties(module);
+  bindDevices(module);
+  bindMotors(module);
+  bindCamera(module);
+  bindKeyboard(module);
+  bindSpeaker(module);
+  bindRobot(module);
+  bindMotion(module);
+  bindManagers(module);
+}

@@ -1,0 +1,191 @@
+"""Classes, names and values of the module, on a virtual robot in this process."""
+
+import os
+import threading
+import unittest
+
+import _darwinop
+import controller
+import managers
+from controller import Keyboard, LED, Motion, Motor, Node, PositionSensor, Robot
+
+os.environ["DARWINOP_ROBOT"] = "virtual"
+os.environ["DARWINOP_KEYS"] = "none"
+robot = Robot()
+
+
+class Api(unittest.TestCase):
+    def test_a_device_has_the_class_that_its_name_means(self):
+        for name, kind in {"Neck": Motor, "NeckS": PositionSensor, "EyeLed": LED, "Gyro": controller.Gyro,
+                           "Accelerometer": controller.Accelerometer, "Camera": controller.Camera,
+                           "Speaker": controller.Speaker, "ButtonMode": controller.TouchSensor}.items():
+            self.assertIsInstance(robot.getDevice(name), kind)
+            self.assertEqual(robot.getDevice(name).name, name)
+        self.assertEqual(robot.getDevice("Neck").getNodeType(), Node.ROTATIONAL_MOTOR)
+
+    def test_each_device_of_the_robot_is_found_by_index(self):
+        names = [robot.getDeviceByIndex(i).getName() for i in range(robot.number_of_devices)]
+        self.assertEqual([robot.getDevice(name).getTag() for name in names], list(range(1, len(names) + 1)))
+        self.assertIsNone(robot.getDeviceByIndex(len(names)))
+
+    def test_a_device_that_is_missing_is_none(self):
+        self.assertIsNone(robot.getDevice("gps"))
+        self.assertIsNone(robot.getMotor("NeckS"))
+        self.assertIsNone(robot.getCamera("camera"))
+
+    def test_classes_of_devices_that_the_robot_lacks_can_be_imported_only(self):
+        self.assertTrue(issubclass(controller.GPS, controller.Device))
+        with self.assertRaises(TypeError):
+            controller.GPS()
+
+    def test_properties_have_both_spellings_and_set_what_the_setter_sets(self):
+        neck = robot.getDevice("Neck")
+        neck.target_position = 0.1
+        self.assertEqual(neck.getTargetPosition(), 0.1)
+        neck.targetPosition = 0.2
+        self.assertEqual(neck.target_position, 0.2)
+        neck.velocity = 2
+        self.assertEqual(neck.getVelocity(), 2.0)
+        self.assertEqual((neck.min_position, neck.maxPosition), (neck.getMinPosition(), neck.getMaxPosition()))
+        self.assertEqual((robot.basic_time_step, robot.basicTimeStep), (16.0, 16.0))
+
+    def test_an_attribute_of_ones_own_hides_a_property_that_can_only_be_read(self):
+        neck = robot.getDevice("Neck")
+        neck.tag = "mine"
+        neck.new_attribute = 1
+        self.assertEqual((neck.tag, neck.new_attribute), ("mine", 1))
+        self.assertIs(robot.getDevice("Neck"), neck)
+        del neck.tag
+        self.assertEqual(neck.tag, neck.getTag())
+
+    def test_a_step_moves_the_robot_and_the_time(self):
+        head, sensor, before = robot.getDevice("Head"), robot.getDevice("HeadS"), robot.getTime()
+        head.setPosition(0.3)
+        for _ in range(50):
+            self.assertEqual(robot.step(16), 0)
+        self.assertAlmostEqual(robot.time - before, 0.8)
+        self.assertAlmostEqual(sensor.value, 0.3, delta=0.02)
+        self.assertEqual(sensor.getMotor(), head)
+
+    def test_a_step_without_or_with_a_fractional_duration_is_one_of_whole_milliseconds(self):
+        before = robot.time
+        robot.step()
+        robot.step(32.0)
+        self.assertAlmostEqual(robot.time - before, 0.048)
+
+    def test_values_of_three_axes_are_lists(self):
+        robot.step(16)
+        self.assertEqual(robot.getDevice("Accelerometer").getValues(), [512, 512, 640])
+        self.assertEqual(len(robot.getDevice("Gyro").lookup_table), 6)
+
+    def test_infinity_selects_velocity_control_and_nan_is_refused(self):
+        head, sensor = robot.getDevice("Head"), robot.getDevice("HeadS")
+        head.setPosition(float("-inf"))
+        head.setVelocity(-1)
+        before = sensor.value
+        for _ in range(20):
+            robot.step(16)
+        self.assertLess(sensor.value, before - 0.1)
+        head.setPosition(0.25)
+        head.setVelocity(3)
+        for _ in range(100):
+            robot.step(16)
+            head.setPosition(float("nan"))
+        self.assertAlmostEqual(sensor.value, 0.25, delta=0.02)
+
+    def test_a_disabled_camera_has_no_image_and_one_without_pictures_a_black_one(self):
+        camera = robot.getDevice("Camera")
+        self.assertIsNone(camera.getImage())
+        camera.enable(16)
+        robot.step(16)
+        self.assertEqual(len(camera.image), 4 * camera.width * camera.height)
+        array = camera.getImageArray()
+        self.assertEqual((len(array), len(array[0]), array[-1][-1]), (camera.width, camera.height, [0, 0, 0]))
+        camera.disable()
+        self.assertIsNone(camera.getImageArray())
+
+    def test_colours_are_read_from_bgra_and_not_beyond_the_image(self):
+        image = bytes([1, 2, 3, 255] * 3 + [10, 20, 30, 255])
+        self.assertEqual([get(image, 2, 1, 1) for get in (controller.Camera.imageGetRed, controller.Camera.imageGetGreen,
+                                                          controller.Camera.imageGetBlue)], [30, 20, 10])
+        self.assertEqual(controller.Camera.imageGetGray(image, 2, 1, 1), 19)
+        for x, y in ((2, 0), (0, 2), (-1, 0), (0, -1)):
+            with self.assertRaises(IndexError):
+                controller.Camera.imageGetRed(image, 2, x, y)
+
+    def test_the_keyboard_is_one_whichever_way_it_is_got(self):
+        Keyboard().enable(16)
+        self.assertEqual(robot.getKeyboard().sampling_period, 16)
+        self.assertEqual(robot.keyboard.getKey(), -1)
+        self.assertEqual((Keyboard.LEFT, Keyboard.SHIFT), (314, 0x10000))
+
+    def test_a_light_shows_what_was_set(self):
+        robot.getLED("EyeLed").value = 0xFF00
+        self.assertEqual(robot.getLED("EyeLed").get(), 0xFF00)
+
+    def test_a_missing_motion_file_is_not_valid(self):
+        self.assertFalse(Motion("missing.motion").valid)
+
+    def test_the_ball_is_where_the_orange_pixels_are(self):
+        width, height = 32, 24
+        image = bytearray(4 * width * height)
+        for y in range(10, 15):
+            for x in range(20, 25):
+                image[4 * (y * width + x):4 * (y * width + x) + 4] = bytes([0, 128, 255, 255])
+        finder = managers.RobotisOp2VisionManager(width, height, 28, 20, 50, 45, 0, 30)
+        self.assertEqual(finder.getBallCenter(image), (True, 22, 12))
+        self.assertEqual(finder.getBallCenter(bytes(image)), (True, 22, 12))
+        self.assertTrue(finder.isDetected(22, 12))
+        self.assertEqual(finder.getBallCenter(None), (False, 0, 0))
+        with self.assertRaises(ValueError):
+            finder.getBallCenter(bytes(image[:-1]))
+
+    def test_managers_have_the_names_of_both_robots(self):
+        for kind in ("Gait", "Motion", "Vision", "Directory", "MotionTimer"):
+            for maker in ("RobotisOp2", "DARwInOP"):
+                self.assertTrue(hasattr(managers, f"{maker}{kind}Manager"))
+        self.assertFalse(managers.RobotisOp2GaitManager(None, "config.ini").isCorrectlyInitialized())
+
+    def test_a_second_robot_is_refused(self):
+        self.assertIs(Robot.created, robot)
+        with self.assertRaises(RuntimeError):
+            Robot()
+
+    def test_threads_take_turns(self):
+        head = robot.getDevice("Head")
+        end = threading.Event()
+
+        def move():
+            while not end.is_set():
+                head.setPosition(head.getTargetPosition())
+
+        mover = threading.Thread(target=move)
+        mover.start()
+        for _ in range(200):
+            self.assertEqual(robot.step(16), 0)
+        end.set()
+        mover.join()
+
+    def test_each_getter_without_arguments_is_a_property(self):
+        for name, kind in vars(_darwinop).items():
+            for getter in [method for method in vars(kind) if method.startswith("get")] if isinstance(kind, type) else []:
+                takes_more = ", " in (getattr(kind, getter).__doc__ or "").partition("\n")[0]
+                if not takes_more and getter not in ("get", "getData", "getDataDirectory"):
+                    self.assertTrue(hasattr(kind, getter[3].lower() + getter[4:]), f"{name}.{getter}")
+
+
+class ZEnd(unittest.TestCase):
+    """Last: there is no robot afterwards."""
+
+    def test_after_the_end_of_the_session_a_device_raises(self):
+        head = robot.getDevice("Head")
+        with robot:
+            head.setPosition(0)
+        for call in (head.getTargetPosition, robot.getTime, lambda: robot.step(16), lambda: robot.getDevice("Head"),
+                     Keyboard):
+            with self.assertRaises(RuntimeError):
+                call()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,87 @@
+"""Ctrl-C, and other ends of a Python controller: the robot is brought to rest by the same steps as after one in C++."""
+
+import signal
+import subprocess
+import sys
+import unittest
+
+from programs import Programs
+
+HEAD = "import sys, time\nfrom controller import Robot\nrobot = Robot()\nhead = robot.getDevice('Head')\n"
+
+
+class Ends(Programs):
+    def start(self, program, robot="virtual"):
+        """A controller that has printed one line."""
+        (self.folder / "c.py").write_text(HEAD + program)
+        running = subprocess.Popen([sys.executable, self.folder / "c.py"], text=True, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE,
+                                   env=dict(self.environment, DARWINOP_ROBOT=robot,
+                                            DARWINOP_RECORD=str(self.folder / "r.csv")))
+        self.addCleanup(running.kill)
+        self.assertEqual(running.stdout.readline(), "ready\n", "read at once: a pipe is line-buffered too")
+        return running
+
+    def check_rest(self):
+        """The recording: goals were sent to every joint, and to none in the last cycle."""
+        with open(self.folder / "r.csv", encoding="utf-8") as recording:
+            rows = [line.rstrip("\n").split(",") for line in recording if not line.startswith("#")]
+        goals = [i for i, name in enumerate(rows[0]) if ".commanded" in name]
+        self.assertEqual(len(goals), 20)
+        self.assertTrue(all(rows[len(rows) // 2][i] for i in goals))
+        self.assertFalse(any(rows[-1][i] for i in goals))
+
+    def test_ctrl_c_ends_a_loop_that_looks_at_step_without_an_exception(self):
+        running = self.start("print('ready')\nwhile robot.step(16) != -1:\n    pass\nprint('after the loop')\n")
+        running.send_signal(signal.SIGINT)
+        output, errors = running.communicate(timeout=30)
+        self.assertEqual((running.returncode, output), (0, "after the loop\n"), errors)
+        self.check_rest()
+
+    def test_ctrl_c_ends_a_loop_that_does_not_look_at_step(self):
+        running = self.start("print('ready')\nwhile True:\n    robot.step(16)\n")
+        running.send_signal(signal.SIGINT)
+        output, errors = running.communicate(timeout=30)
+        self.assertEqual(running.returncode, -signal.SIGINT)
+        self.assertIn("KeyboardInterrupt", errors)
+        self.check_rest()
+
+    def test_a_second_ctrl_c_interrupts_what_does_not_step(self):
+        running = self.start("print('ready')\nwhile robot.step(16) != -1:\n    pass\nprint('sleeps')\n"
+                             "try:\n    time.sleep(100)\nexcept KeyboardInterrupt:\n    print('woken')\n")
+        running.send_signal(signal.SIGINT)
+        self.assertEqual(running.stdout.readline(), "sleeps\n")
+        while running.poll() is None:  # the first 0.3 s count as the same request
+            running.send_signal(signal.SIGINT)
+            try:
+                running.wait(0.35)
+            except subprocess.TimeoutExpired:
+                continue
+        self.assertEqual(running.stdout.read(), "woken\n")
+
+    def test_an_exception_and_exit_bring_the_robot_to_rest(self):
+        for program, status in (("raise ValueError", 1), ("sys.exit(3)", 3)):
+            running = self.start(f"print('ready')\nhead.setPosition(0.1)\nrobot.step(160)\n{program}\n")
+            running.communicate(timeout=30)
+            self.assertEqual(running.returncode, status)
+            self.check_rest()
+
+    def test_sigterm_ends_it_as_in_cpp(self):
+        running = self.start("print('ready')\nwhile robot.step(16) != -1:\n    pass\n")
+        running.terminate()
+        running.communicate(timeout=30)
+        self.assertEqual(running.returncode, 0)
+        self.check_rest()
+
+    def test_a_robot_that_is_not_there_ends_the_program_with_its_open_files_written(self):
+        (self.folder / "c.py").write_text("f = open('log', 'w')\nf.write('kept')\n" + HEAD)
+        ended = subprocess.run([sys.executable, "c.py"], cwd=self.folder, text=True, capture_output=True,
+                               env=dict(self.environment, DARWINOP_ROBOT="/dev/does-not-exist"))
+        self.assertEqual(ended.returncode, 1)
+        self.assertIn("/dev/does-not-exist", ended.stderr)
+        self.assertNotIn("Traceback", ended.stderr)
+        self.assertEqual((self.folder / "log").read_text(), "kept")
+
+
+if __name__ == "__main__":
+    unittest.main()

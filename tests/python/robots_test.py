@@ -1,0 +1,69 @@
+"""Python controllers in the styles of public code, on each kind of robot; and against the same controllers in C++."""
+
+import os
+import unittest
+
+from programs import CONTROLLERS, Programs, movements
+
+CPP_CONTROLLERS = os.environ["DARWINOP_CONTROLLERS"]
+
+
+class OnEachRobot(Programs):
+    def check_all(self, robot, arm_answers=True):
+        output, warnings = self.run_controller("devices", robot=robot)
+        self.assertIn("gps: None\n", output)
+        self.assertIn("far: []\n", output)
+        self.assertEqual(warnings.count('getDevice("gps")'), 1)
+
+        output, _ = self.run_controller("inherits", "1.5", robot=robot)
+        self.assertIn("nodded by more than 0.2 rad: True\n", output)
+
+        output, warnings = self.run_controller("getters_of_2013", robot=robot)
+        for line in ("image: None", "head: True", "up: True", "led: True", "button: 0.0", "distance: None"):
+            self.assertIn(line + "\n", output)
+        self.assertEqual("arm: nan\n" in output, not arm_answers)
+        self.assertEqual(warnings.count('getDevice("ds0")'), 1)
+
+    def test_virtual(self):
+        self.check_all("virtual")
+
+    @unittest.skipUnless("DARWINOP_WITH_TWIN" in os.environ, "no twin in this build")
+    def test_twin(self):
+        self.check_all("twin")
+
+    def test_daemon_on_a_pty(self):
+        port = str(self.folder / "port")
+        with self.started("darwinop-virtual-robot", "--link", port, "--servo", "ArmUpperL=missing",
+                          ready="^link: "):
+            with self.started("darwinop-runtime", "--robot", port, ready="^ready: "):
+                self.check_all("runtime", arm_answers=False)
+
+    def test_tcp(self):
+        with self.started("darwinop-remote", "--robot", "virtual", "--port", "0", ready=r"^ready: (\S+)") as ready:
+            self.check_all("tcp://" + ready[1])
+
+
+class AgainstCpp(Programs):
+    """In simulated time both languages ask for the same goals at the same moments, and the robot moves alike."""
+
+    def check_same(self, python, cpp, *arguments, robot="virtual"):
+        recordings = [self.folder / "python.csv", self.folder / "cpp.csv"]
+        for name, recording in zip((CONTROLLERS / python, f"{CPP_CONTROLLERS}/{cpp}"), recordings):
+            self.run_controller(str(name), *arguments, robot=robot, record=recording)
+        python_rows, cpp_rows = map(movements, recordings)
+        self.assertGreater(len(cpp_rows), 50)
+        self.assertEqual(python_rows, cpp_rows)
+
+    def test_symmetry(self):
+        self.check_same("symmetry", "02_symmetry", "--seconds", "2")
+
+    def test_walk(self):
+        self.check_same("walk", "05_walk", "--seconds", "2")
+
+    @unittest.skipUnless("DARWINOP_WITH_TWIN" in os.environ, "no twin in this build")
+    def test_walk_on_the_twin(self):
+        self.check_same("walk", "05_walk", "--seconds", "2", robot="twin")
+
+
+if __name__ == "__main__":
+    unittest.main()
