@@ -18,8 +18,9 @@ class Ends(Programs):
                                    stderr=subprocess.PIPE,
                                    env=dict(self.environment, DARWINOP_ROBOT=robot,
                                             DARWINOP_RECORD=str(self.folder / "r.csv")))
-        self.addCleanup(running.kill)
-        self.assertEqual(running.stdout.readline(), "ready\n", "read at once: a pipe is line-buffered too")
+        for clean in (running.stderr.close, running.stdout.close, running.wait, running.kill):  # the last one first
+            self.addCleanup(clean)
+        self.assertEqual(running.stdout.readline(), "ready\n")  # a pipe is line-buffered, too
         return running
 
     def check_rest(self):
@@ -39,7 +40,9 @@ class Ends(Programs):
         self.check_rest()
 
     def test_ctrl_c_ends_a_loop_that_does_not_look_at_step(self):
-        running = self.start("print('ready')\nwhile True:\n    robot.step(16)\n")
+        # One reference too many, as of a library: the robot outlives the interpreter.
+        running = self.start("import ctypes\nctypes.pythonapi.Py_IncRef(ctypes.py_object(robot))\n"
+                             "print('ready')\nwhile True:\n    robot.step(16)\n")
         running.send_signal(signal.SIGINT)
         output, errors = running.communicate(timeout=30)
         self.assertEqual(running.returncode, -signal.SIGINT)

@@ -21,6 +21,7 @@ class Programs(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="darwinop-python-")))
         self.environment = dict(os.environ, DARWINOP_RUNTIME_NAME=str(self.folder / "runtime"), DARWINOP_KEYS="none")
+        self.environment.pop("PYTHONUNBUFFERED", None)
 
     def run_controller(self, controller, *arguments, robot="virtual", record=None, status=0):
         """`darwinop run`; returns what was written to stdout and stderr."""

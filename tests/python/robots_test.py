@@ -43,6 +43,17 @@ class OnEachRobot(Programs):
             self.check_all("tcp://" + ready[1])
 
 
+class Folder(Programs):
+    def test_config_ini_and_relative_files_are_those_beside_the_script(self):
+        (self.folder / "config.ini").write_text("[Robot Config]\ntime_step = 24\n")
+        (self.folder / "here").mkdir()
+        (self.folder / "c.py").write_text(
+            "import os, sys\nfrom controller import Robot\nrobot = Robot()\n"
+            "print(robot.basic_time_step, os.path.isdir('here'), robot.project_path, sys.argv[1:])\n")
+        output, _ = self.run_controller(str(self.folder / "c.py"), "--", "--seconds", "2")
+        self.assertIn(f"24.0 True {self.folder} ['--seconds', '2']\n", output)
+
+
 class AgainstCpp(Programs):
     """In simulated time both languages ask for the same goals at the same moments, and the robot moves alike."""
 
@@ -52,7 +63,9 @@ class AgainstCpp(Programs):
             self.run_controller(str(name), *arguments, robot=robot, record=recording)
         python_rows, cpp_rows = map(movements, recordings)
         self.assertGreater(len(cpp_rows), 50)
-        self.assertEqual(python_rows, cpp_rows)
+        self.assertEqual(len(python_rows), len(cpp_rows))
+        for python_row, cpp_row in zip(python_rows, cpp_rows):
+            self.assertEqual(python_row, cpp_row)
 
     def test_symmetry(self):
         self.check_same("symmetry", "02_symmetry", "--seconds", "2")
