@@ -54,7 +54,7 @@ TEST(OtherHardware, ARescueWritesNothingToAServoOfAnotherModel) {
 TEST(OtherHardware, ABoardWithOneBlockLengthIsDriven) {
   RobotSetUp robot{{"one-block-length"}};
   runtime::Environment real_time{"DARWINOP_REALTIME", "if-allowed"};
-  Request request;
+  ConnectRequest request;
   request.setting = robot.host.path();
   request.warn = [](const std::string&) {};
   const auto link = connect(request);

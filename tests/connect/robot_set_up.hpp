@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "connect/connect.hpp"
+#include "connect/serial_bus.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
 

@@ -88,7 +88,7 @@ TEST(SoundFiles, HaveOnlyFiniteSamplesWhateverTheyStore) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
   const TemporaryFolder folder;
   const SoundFile file = openSoundFile(rawWave(folder / "sound", {kNan, 1.5F, kInfinity, -kInfinity, -1e38F, 1e-45F}));
-  std::vector<Frame> frames(8);
+  std::vector<AudioFrame> frames(8);
   ASSERT_EQ(file.source->read(frames), 3U);
   EXPECT_EQ(frames[0].left, 0);
   EXPECT_EQ(frames[0].right, 1.5F);
