@@ -13,6 +13,7 @@ namespace {
 
 using namespace darwinop;
 using terminal::KeyDecoder;
+using terminal::KeyEvent;
 using terminal::Nanos;
 using terminal::TypedKey;
 
@@ -31,16 +32,31 @@ bool isDocumented(Key key) {
          code == kKeyPageUp || code == kKeyPageDown || code == kKeyNumpadBegin;
 }
 
+bool isDocumented(const KeyEvent& event) {
+  switch (event.kind) {
+    case KeyEvent::Kind::kTyped:
+    case KeyEvent::Kind::kPressed:
+    case KeyEvent::Kind::kReleased:
+      return isDocumented(event.key);
+    case KeyEvent::Kind::kModifiers:
+      return (event.key & ~(kKeyShift | kKeyControl | kKeyAlt)) == 0;
+    case KeyEvent::Kind::kFocusLost:
+    case KeyEvent::Kind::kReports:
+      return true;
+  }
+  return false;
+}
+
 /// All bytes at one time: pieces of 1 + chunks[i] bytes, or the whole when there are no chunks.
-std::vector<Key> keysOf(std::string_view bytes, std::string_view chunks) {
+std::vector<KeyEvent> eventsOf(std::string_view bytes, std::string_view chunks) {
   KeyDecoder decoder;
-  std::vector<Key> keys;
+  std::vector<KeyEvent> events;
   for (std::size_t i = 0; !bytes.empty(); ++i) {
     const std::size_t size = chunks.empty() ? bytes.size() : 1U + static_cast<unsigned char>(chunks[i % chunks.size()]);
-    for (const Key key : decoder.feed(bytes.substr(0, size), Nanos{0})) keys.push_back(key);
+    for (const KeyEvent& event : decoder.feed(bytes.substr(0, size), Nanos{0})) events.push_back(event);
     bytes.remove_prefix(std::min(bytes.size(), size));
   }
-  return keys;
+  return events;
 }
 
 /// One byte after another with the pauses of `pauses`, in steps of 5 ms, as a slow network delivers them.
@@ -51,9 +67,10 @@ void typeSlowly(std::string_view bytes, std::string_view pauses) {
   Nanos now{0};
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     if (!pauses.empty()) now += std::chrono::milliseconds{5} * static_cast<unsigned char>(pauses[i % pauses.size()]);
-    const std::vector<Key> keys = decoder.feed(bytes.substr(i, 1), now);
-    require(keys.size() <= 2);  // Escape that was alone, and this one
-    for (const Key key : keys) typed.type(key, now);
+    const std::vector<KeyEvent> events = decoder.feed(bytes.substr(i, 1), now);
+    require(events.size() <= 2);  // Escape that was alone, and this one
+    for (const KeyEvent& event : events)
+      if (event.kind == KeyEvent::Kind::kTyped) typed.type(event.key, now);
     typed.expire(now);
     require(held.down().size() <= 1);
     static_cast<void>(held.take());
@@ -61,8 +78,9 @@ void typeSlowly(std::string_view bytes, std::string_view pauses) {
   now += KeyDecoder::kEscapeAlone;
   static_cast<void>(decoder.timeOut(now));
   require(!decoder.timeOut(now));
-  require(decoder.feed("x", now) == std::vector<Key>{'X'});
-  typed.expire(now + TypedKey::kFirst);
+  const std::vector<KeyEvent> letter = decoder.feed("x", now);
+  require(letter.size() == 1 && letter.front().key == 'X');
+  typed.expire(now + TypedKey::kRepeated);
   require(held.down().empty());
 }
 
@@ -74,10 +92,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t chunk_count = std::min<std::size_t>(data[0] % 16, size - 1);
   const std::string_view chunks = input.substr(1, chunk_count), bytes = input.substr(1 + chunk_count);
 
-  const std::vector<Key> keys = keysOf(bytes, {});
-  require(keys.size() <= bytes.size());
-  require(std::ranges::all_of(keys, isDocumented));
-  require(keysOf(bytes, chunks) == keys);
+  const std::vector<KeyEvent> events = eventsOf(bytes, {});
+  require(events.size() <= bytes.size());
+  require(std::ranges::all_of(events, [](const KeyEvent& event) { return isDocumented(event); }));
+  require(eventsOf(bytes, chunks) == events);
   typeSlowly(bytes, chunks);
   return 0;
 }

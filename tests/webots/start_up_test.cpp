@@ -30,7 +30,6 @@ std::unique_ptr<runtime::RobotLink> connect(const ConnectRequest& request) {
   if (!robot_to_meet) throw std::runtime_error("no robot at " + request.setting + ": switch it on");
   return std::make_unique<webots_api::FakeLink>(*robot_to_meet);
 }
-// Or their library would be linked after all, with the true connect().
 std::unique_ptr<FrameSource> openCamera(runtime::RobotLink& /*robot*/, const CameraRequest& /*request*/) {
   return nullptr;
 }
