@@ -40,7 +40,7 @@ class MemoryFile {
 };
 
 void readSome(SoundSource& source) {
-  std::array<Frame, 512> frames{};
+  std::array<AudioFrame, 512> frames{};
   for (std::size_t count = 0; count < kMostFrames;) {
     const std::size_t read = source.read(frames);
     if (read == 0) return require(source.ended());
