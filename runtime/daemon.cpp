@@ -74,6 +74,7 @@ JointSet Daemon::run(const std::atomic<bool>& stop) {
     announcer.update(seen);
     notes_.update(seen);
   }
+  letControllerEnd();
   exchange_.ownBlock().closing.store(ExchangeBlock::kClosing);  // ends the controller and brings the robot to rest
   const Nanos give_up = clock_.now() + rest_.atMost();
   for (Sensors seen = sensors(); !rest_.reached(seen) && clock_.now() < give_up; seen = sensors()) {
@@ -91,6 +92,14 @@ JointSet Daemon::run(const std::atomic<bool>& stop) {
   if (last.safety.state == State::kOffline && !notes_.held()) return {};
   const JointSet present = everAnswered(last);
   return perhapsUnderTorque(last, present.none() ? ~present : present);
+}
+
+/// Until the controller ends its session, or is silent for stall_ms.
+void Daemon::letControllerEnd() {
+  constexpr Nanos kPatience{3'000'000'000};  // a walk finishes its steps within 2.9 s
+  exchange_.ownBlock().closing.store(ExchangeBlock::kEnding);
+  const Nanos give_up = clock_.now() + kPatience;
+  while (!exchange_.shortened() && sensors().safety.state == State::kDriven && clock_.now() < give_up) doze();
 }
 
 Sensors Daemon::sensors() const {

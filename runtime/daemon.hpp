@@ -32,15 +32,16 @@ class Daemon {
   /// Removes the exchange, so that no process attaches to a dead loop.
   ~Daemon();
 
-  /// Returns once `stop` is true and safety has brought the robot to rest: the joints that may be under torque
-  /// nevertheless, because a servo keeps it or nothing is known of it. If the exchange is lost, brings the robot to
-  /// rest and throws std::runtime_error.
+  /// Returns once `stop` is true, the controller has ended, within 3 s, and safety has brought the robot to rest: the
+  /// joints that may be under torque nevertheless, because a servo keeps it or nothing is known of it. If the exchange
+  /// is lost, brings the robot to rest and throws std::runtime_error.
   [[nodiscard]] JointSet run(const std::atomic<bool>& stop);
 
   /// Real-time settings that the kernel refused, with a remedy; empty: none.
   [[nodiscard]] const std::string& warning() const { return driver_.warning(); }
 
  private:
+  void letControllerEnd();
   [[nodiscard]] Sensors sensors() const;
 
   RuntimeFiles files_;

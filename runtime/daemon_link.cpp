@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "runtime/messages.hpp"
 #include "runtime/operator.hpp"
@@ -42,7 +43,7 @@ bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop
   for (;;) {
     if (stop.load()) return end(kAskedToStop);
     if (exchange().lost()) return end(kExchangeLost);
-    if (block().closing.load() != 0) return end(messages::kRuntimeEnds);
+    if (runtimeEnds()) return end(messages::kRuntimeEnds);
     if (releasedByOperator()) return end(messages::kRobotReleased);
     if (finished(cycle)) return true;
     sleepUntilAfter(seen, kCheckInterval);
@@ -54,6 +55,13 @@ bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop
       return false;
     }
   }
+}
+
+/// A controller that is requested to end sees it once, and may then wait for the cycles of its last steps.
+bool DaemonLink::runtimeEnds() {
+  const std::uint32_t closing = block().closing.load();
+  if (closing == ExchangeBlock::kEnding) return !std::exchange(end_seen_, true);
+  return closing != ExchangeBlock::kOpen;
 }
 
 /// Called after more than the longest period without a cycle: true if the daemon still runs.

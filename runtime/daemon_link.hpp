@@ -29,11 +29,12 @@ class DaemonLink final : public ExchangeLink {
 
  private:
   [[nodiscard]] bool daemonAnswers(Nanos asleep_since);
+  [[nodiscard]] bool runtimeEnds();
 
   RuntimeFiles files_;
   MonotonicClock clock_;
   FileLock lease_;
-  bool ends_session_ = true;
+  bool ends_session_ = true, end_seen_ = false;
 };
 
 }  // namespace darwinop::runtime

@@ -38,9 +38,10 @@ std::uint64_t exchangeLayout();
 struct ExchangeBlock {
   static constexpr std::uint32_t kMagic = 0x50774f44;  // "DOwP"
 
-  /// Values of `closing`. kClosing: the loop brings the robot to rest, then ends. kNoControllers: no controller may
-  /// drive; the loop continues without one, as in a rescue.
-  static constexpr std::uint32_t kOpen = 0, kClosing = 1, kNoControllers = 2;
+  /// Values of `closing`. kEnding: the controller is requested to end, and is obeyed until it has, so that it can
+  /// finish a step. kClosing: the loop brings the robot to rest, then ends. kNoControllers: no controller may drive;
+  /// the loop continues without one, as in a rescue.
+  static constexpr std::uint32_t kOpen = 0, kClosing = 1, kNoControllers = 2, kEnding = 3;
 
   std::atomic<std::uint32_t> magic{kMagic};
   std::uint32_t size = sizeof(ExchangeBlock);
@@ -50,7 +51,7 @@ struct ExchangeBlock {
 
   Latest<Sensors> sensors;
   WakeWord finished;                       // low 32 bits of Sensors::cycle; changes when a cycle is finished
-  std::atomic<std::uint32_t> closing{0};   // kOpen, kClosing or kNoControllers
+  std::atomic<std::uint32_t> closing{0};   // kOpen, kClosing, kNoControllers or kEnding
   std::atomic<std::uint32_t> session{0};   // highest number of a session or a release so far
   std::atomic<std::uint32_t> released{0};  // number of the last release; 0: none
   std::atomic<std::uint32_t> refused{0};   // session whose commands are ignored because of a release; 0: none

@@ -85,10 +85,10 @@ void Session::publish(const Commands& commands, int ms) {
 
 int Session::wait() {
   if (ended_) return -1;
-  if (stop_) return endByUser();
+  if (stop_) return end({});
   Nanos late{0};
   if (driver_.sensors().cycle < target_) {
-    if (!waitForTarget()) return stop_ ? endByUser() : end(driver_.link().whyEnded());
+    if (!waitForTarget()) return end(stop_ ? std::string{} : driver_.link().whyEnded());
     sensors_ = driver_.sensors();
     reached_ = Nanos{sensors_.time_ns} - origin_;
     if (sensors_.cycle > target_ &&
@@ -119,7 +119,6 @@ bool Session::waitForTarget() {
 }
 
 bool Session::carryOn(const Commands& commands, Nanos step) {
-  if (ended_ && !ended_by_user_) return false;
   if (!executes(driver_.sensors())) return false;
   line_.restartAt(driver_.sensors().cycle);
   driver_.publish(commands);
@@ -132,11 +131,6 @@ bool Session::carryOn(const Commands& commands, Nanos step) {
 
 bool Session::executes(const Sensors& seen) const {
   return driver_.drives(seen) && driver_.faultEnd(seen).empty();
-}
-
-int Session::endByUser() {
-  ended_by_user_ = true;
-  return end({});
 }
 
 int Session::end(const std::string& sentence) {

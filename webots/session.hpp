@@ -28,8 +28,8 @@ class Session {
   /// Waits for the end of the step and takes the newest image. Returns 0: in time; positive: ms late; -1: the
   /// controller must end.
   [[nodiscard]] int wait();
-  /// One more step after the user requested the end, or between two steps: publishes, and waits `ms` whatever is
-  /// requested. False: the loop has ended, or safety does not execute the commands.
+  /// One more step after wait() returned -1, or between two steps: publishes, and waits `step` whatever is requested.
+  /// False: the loop has ended, or safety does not execute the commands.
   [[nodiscard]] bool carryOn(const Commands& commands, Nanos step);
 
   [[nodiscard]] const Sensors& sensors() const { return sensors_; }
@@ -49,7 +49,6 @@ class Session {
   /// True if safety executes this session's commands.
   [[nodiscard]] bool executes(const Sensors& seen) const;
   int end(const std::string& sentence);
-  int endByUser();
 
   runtime::DriverSession driver_;
   const std::atomic<bool>& stop_;
@@ -60,7 +59,7 @@ class Session {
   Nanos returned_{0}, due_{0};  // end of the last step; scheduled end of this one
   Nanos origin_{0};             // release of the cycle in which the robot was ready
   Nanos reached_{0};            // time() at the end of the last step
-  bool ended_ = false, ended_by_user_ = false;
+  bool ended_ = false;
 };
 
 }  // namespace darwinop::webots_api

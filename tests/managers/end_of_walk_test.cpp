@@ -55,6 +55,15 @@ TEST_F(EndOfWalk, AManagerDestroyedBeforeItsRobotEndsInTheStance) {
   EXPECT_EQ(robot().step(16), 0);
 }
 
+TEST_F(EndOfWalk, AtTheEndOfTheRuntimeTheLastStepReturnsInTheStance) {
+  walkInto(7);
+  fake.ending = true;
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(robot().step(16), -1);
+  testing::internal::GetCapturedStderr();
+  EXPECT_EQ(goals(), gait::kStanding.tick);
+}
+
 TEST_F(EndOfWalk, ALoopThatHasGoneIsNotWaitedFor) {
   walkInto(7);
   fake.gone = true;

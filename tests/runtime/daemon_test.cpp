@@ -189,6 +189,17 @@ TEST_F(DaemonTest, OnRequestItEndsTheControllerAndLeavesTheRobotLimp) {
   EXPECT_THAT(refusal(), HasSubstr(messages::kNoRuntime + files_.exchange));
 }
 
+TEST_F(DaemonTest, OnRequestTheControllerMayFinishBeforeItEnds) {
+  auto link = std::make_unique<DaemonLink>(files_);
+  drive(*link, 0.1, stop_);
+  kill(child_.pid(), SIGTERM);
+  while (link->waitForCycle(link->sensors().cycle + 1, stop_)) link->publish(neckTo(0.1));
+  EXPECT_EQ(link->whyEnded(), messages::kRuntimeEnds);
+  drive(*link, 0.2, stop_);
+  link.reset();
+  EXPECT_EQ(child_.exitStatus(), 0) << "the robot is limp";
+}
+
 TEST_F(DaemonTest, AnOperatorCanReleaseTheRobotUnderAController) {
   DaemonLink link{files_};
   drive(link, 0.1, stop_);

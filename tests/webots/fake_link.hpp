@@ -23,7 +23,8 @@ struct FakeRobot {
   std::vector<Commands> published;
   std::function<void(std::uint64_t cycle)> on_cycle;  // may change the image
   std::function<std::unique_ptr<FrameSource>(int width, int height)> open_camera;
-  bool gone = false;  // the daemon died
+  bool gone = false;    // the daemon died
+  bool ending = false;  // the daemon is requested to end: one wait is in vain
   bool end_of_session = false;
   bool real_time = true;       // the controller's process hosts the loop; false: lockstep
   int signal_during_wait = 0;  // raised once, inside waitForCycle
@@ -68,7 +69,7 @@ class FakeLink : public runtime::RobotLink {
 
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override {
     if (robot_.signal_during_wait != 0) std::raise(std::exchange(robot_.signal_during_wait, 0));
-    if (stop || robot_.gone) return false;
+    if (stop || robot_.gone || std::exchange(robot_.ending, false)) return false;
     while (robot_.finished() < cycle) {
       robot_.now = static_cast<std::int64_t>(robot_.finished() + 1) * robot_.period + robot_.bus_time;
       if (robot_.on_cycle) robot_.on_cycle(robot_.finished());
