@@ -4,8 +4,8 @@
 # Folder with headers, library and compiler options from ./dev build --robot.
 find_robot_sdk() {
   robot_sdk=${DARWINOP_ROBOT_SDK:-$(readlink -f "$installer/../build/robot/sdk" || true)}
-  [ -f "$robot_sdk/share/darwinop/robot-toolchain.mk" ] ||
-    die "the robot's library is not built yet${robot_sdk:+ (no $robot_sdk)}; build it once: ./dev build --robot"
+  { [ -f "$robot_sdk/share/darwinop/robot-toolchain.mk" ] && [ -f "$robot_sdk/share/darwinop/old-make" ]; } ||
+    die "the robot's library is not built yet, or by an older version${robot_sdk:+ (no $robot_sdk)}; build it once: ./dev build --robot"
   command -v make >/dev/null || die "make not found; install it: sudo apt-get install make"
   case $robot_sdk in
     *[[:space:]]*) die "make does not support blanks in folder names: move $robot_sdk or its repository" ;;

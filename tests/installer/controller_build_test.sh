@@ -93,6 +93,7 @@ extern "C" int helper();'
   echo 'int helper(void) { return 3; }' >"$LAB/pc/walker/helper.c"
   cat >"$LAB/pc/walker/Makefile.darwin-op" <<'END'
 TARGET = stroll
+include $(WEBOTS_HOME)/resources/Makefile.os.include
 CXX_SOURCES = main.cpp
 ifndef WEBOTS_HOME
 $(error WEBOTS_HOME is not set)

@@ -122,7 +122,9 @@ main() {
   make -s -f "$data/Makefile.include" WEBOTS_DARWINOP_PROJECT_ROOT="$prefix" darwinop-flags >"$DARWINOP_OLD_MAKE/flags" || exit 1
   for name in g++ gcc c++ cc clang++ clang make; do ln -s "$self" "$DARWINOP_OLD_MAKE/$name"; done
   write_additions >"$DARWINOP_OLD_MAKE/additions.mk"
-  sed "s|^\\( *-\\{0,1\\}include \\).*Makefile\\.include *\$|\\1$data/Makefile.include|" "$makefile" >"$DARWINOP_OLD_MAKE/makefile"
+  # Makefile.include of upstream is ours; its other files are optional.
+  sed "s|^\\( *-\\{0,1\\}include \\).*/Makefile\\.include *\$|\\1$data/Makefile.include|
+    s|^ *include  *\\([/\$]\\)|-include \\1|" "$makefile" >"$DARWINOP_OLD_MAKE/makefile"
   PATH=$DARWINOP_OLD_MAKE:$PATH "$DARWINOP_REAL_MAKE" -f "$DARWINOP_OLD_MAKE/makefile" -f "$DARWINOP_OLD_MAKE/additions.mk" "$@"
   status=$?
   report "$makefile"
