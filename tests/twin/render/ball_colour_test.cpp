@@ -4,7 +4,10 @@
 
 #include <chrono>
 #include <stdexcept>
+#include <vector>
 
+#include "hal/pixels/bgra_to_yuyv.hpp"
+#include "hal/pixels/yuyv_to_bgra.hpp"
 #include "managers/vision/colour_finder.hpp"
 #include "twin/render/head_camera.hpp"
 #include "twin/render/support.hpp"
@@ -21,8 +24,17 @@ RobotBody bodyWith(std::optional<BallColour> colour) {
   return RobotBody{readModel(findModel("darwin-op")), {.ball_colour = colour}};
 }
 
+/// As a controller gets it from a V4L2 camera.
+std::vector<std::uint8_t> throughYuyv(const CameraFrame& frame) {
+  const std::size_t stride = pixels::yuyvRowBytes(frame.width);
+  std::vector<std::uint8_t> yuyv(stride * static_cast<std::size_t>(frame.height)), bgra(frame.bgra.size());
+  pixels::bgraToYuyvRotated(frame.bgra, frame.width, frame.height, yuyv, stride);
+  pixels::yuyvToBgraRotated({yuyv, frame.width, frame.height, stride}, bgra);
+  return bgra;
+}
+
 struct Looks {
-  int soccer = 0, visual_tracking = 0, all = 0;
+  int soccer = 0, soccer_through_yuyv = 0, visual_tracking = 0, all = 0;
 };
 
 /// Balls ahead, aside, near and far, seen from the start pose.
@@ -41,6 +53,7 @@ Looks looksAt(std::optional<BallColour> colour) {
       EXPECT_EQ(camera.renderError(), nullptr);
       ++looks.all;
       looks.soccer += soccer.find(frame.bgra).has_value() ? 1 : 0;
+      looks.soccer_through_yuyv += soccer.find(throughYuyv(frame)).has_value() ? 1 : 0;
       looks.visual_tracking += visual_tracking.find(frame.bgra).has_value() ? 1 : 0;
     }
   return looks;
@@ -49,6 +62,7 @@ Looks looksAt(std::optional<BallColour> colour) {
 TEST(TwinBall, IsSeenByUpstreamsSoccerExampleByDefault) {
   const Looks looks = looksAt(std::nullopt);
   EXPECT_EQ(looks.soccer, looks.all);
+  EXPECT_EQ(looks.soccer_through_yuyv, looks.all);
   EXPECT_EQ(looks.visual_tracking, 0);
 }
 
