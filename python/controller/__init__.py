@@ -1,7 +1,10 @@
 """The Webots API of a robot: from controller import Robot, Motor, Camera, Keyboard, ... (docs/python.md)."""
 
 from _darwinop import *
-from _darwinop import Reading as _Reading  # not offered
 
 from .absent import *
+from .absent import add_getters as _add_getters
+from .ansi_codes import AnsiCodes
 from .robot import Robot, Supervisor
+
+_add_getters(Robot)

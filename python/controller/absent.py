@@ -1,12 +1,30 @@
-"""Classes of the simulator's API for devices that this robot does not have: Robot.getDevice() returns None for them."""
+"""What the simulator's API has for devices that this robot lacks: the classes, and getters that return None."""
 
+import _darwinop
 from _darwinop import Device
 
-__all__ = [
+_DEVICES = [
     "Altimeter", "Brake", "Compass", "Connector", "Display", "DistanceSensor", "Emitter", "GPS", "InertialUnit",
     "Joystick", "Lidar", "LightSensor", "LinearMotor", "Mouse", "Pen", "Radar", "RangeFinder", "Receiver", "Skin",
     "VacuumGripper",
 ]
 
+__all__ = [name for name in _DEVICES if not hasattr(_darwinop, name)]
+
 for _name in __all__:
     globals()[_name] = type(_name, (Device,), {"__doc__": "This robot has none.", "__module__": __name__})
+
+
+def _getter(kind):
+    def get(self, name=""):
+        device = self.getDevice(name)  # logs once that there is none
+        return device if isinstance(device, kind) else None
+
+    return get
+
+
+def add_getters(robot):
+    """Adds getGPS(name) and its siblings to the class of the robot."""
+    for name in __all__:
+        if not hasattr(robot, "get" + name):
+            setattr(robot, "get" + name, _getter(globals()[name]))

@@ -1,6 +1,7 @@
 """Classes, names and values of the module, on a virtual robot in this process."""
 
 import os
+import tempfile
 import threading
 import unittest
 
@@ -37,6 +38,10 @@ class Api(unittest.TestCase):
         self.assertTrue(issubclass(controller.GPS, controller.Device))
         with self.assertRaises(TypeError):
             controller.GPS()
+
+    def test_getters_of_devices_that_the_robot_lacks_return_none(self):
+        for name in ("GPS", "Compass", "Display", "DistanceSensor", "Receiver", "InertialUnit"):
+            self.assertIsNone(getattr(robot, "get" + name)("Neck"))
 
     def test_properties_have_both_spellings_and_set_what_the_setter_sets(self):
         neck = robot.getDevice("Neck")
@@ -125,6 +130,23 @@ class Api(unittest.TestCase):
 
     def test_a_missing_motion_file_is_not_valid(self):
         self.assertFalse(Motion("missing.motion").valid)
+
+    def test_a_motion_file_is_played_by_the_steps(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".motion") as file:
+            file.write("#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A,0\n00:00:160,B,0.2\n")
+            file.flush()
+            motion = Motion(file.name)
+        self.assertTrue(motion.isValid())
+        self.assertEqual((motion.duration, motion.over), (160, False))
+        motion.play()
+        steps = 0
+        while not motion.isOver():
+            self.assertEqual(robot.step(16), 0)
+            steps += 1
+            self.assertLess(steps, 200)
+        self.assertAlmostEqual(robot.getDevice("Neck").target_position, 0.2)
+        motion.time = 32
+        self.assertEqual(motion.getTime(), 32)
 
     def test_the_ball_is_where_the_orange_pixels_are(self):
         width, height = 32, 24

@@ -9,12 +9,14 @@ CPP_CONTROLLERS = os.environ["DARWINOP_CONTROLLERS"]
 
 
 class OnEachRobot(Programs):
-    def check_all(self, robot, arm_answers=True):
+    def check_devices(self, robot):
         output, warnings = self.run_controller("devices", robot=robot)
         self.assertIn("gps: None\n", output)
         self.assertIn("far: []\n", output)
         self.assertEqual(warnings.count('getDevice("gps")'), 1)
 
+    def check_all(self, robot, arm_answers=True):
+        self.check_devices(robot)
         output, _ = self.run_controller("inherits", "1.5", robot=robot)
         self.assertIn("nodded by more than 0.2 rad: True\n", output)
 
@@ -30,6 +32,14 @@ class OnEachRobot(Programs):
     @unittest.skipUnless("DARWINOP_WITH_TWIN" in os.environ, "no twin in this build")
     def test_twin(self):
         self.check_all("twin")
+        output, _ = self.run_controller("vision", robot="twin")
+        for line in ("found: True", "red: True", "bytes: True"):
+            self.assertIn(line + "\n", output)
+
+    def test_a_port_in_the_process_of_the_controller(self):
+        port = str(self.folder / "port")
+        with self.started("darwinop-virtual-robot", "--link", port, ready="^link: "):
+            self.check_devices(port)
 
     def test_daemon_on_a_pty(self):
         port = str(self.folder / "port")
