@@ -87,6 +87,7 @@ void bindCamera(py::module_& module) {
   camera.def("saveImage", &Camera::saveImage, py::arg("filename"), py::arg("quality"), kQuick);
   camera.def("hasRecognition", &Camera::hasRecognition, kQuick);
   camera.def("hasRecognitionSegmentation", &Camera::hasRecognitionSegmentation, kQuick);
+  camera.def_static("checkResolution", &Camera::checkResolution, py::arg("width"), py::arg("height"));
   bindColour<&Camera::imageGetRed>(camera, "imageGetRed");
   bindColour<&Camera::imageGetGreen>(camera, "imageGetGreen");
   bindColour<&Camera::imageGetBlue>(camera, "imageGetBlue");

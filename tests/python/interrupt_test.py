@@ -20,7 +20,7 @@ class Ends(Programs):
                                             DARWINOP_RECORD=str(self.folder / "r.csv")))
         for clean in (running.stderr.close, running.stdout.close, running.wait, running.kill):  # the last one first
             self.addCleanup(clean)
-        self.assertEqual(running.stdout.readline(), "ready\n")  # pipes are line-buffered as well
+        self.assertEqual(running.stdout.readline(), "ready\n")  # through a pipe: each line at once
         return running
 
     def check_rest(self):
