@@ -41,7 +41,7 @@ void append(std::vector<std::uint8_t>& stream, std::uint8_t id, const std::vecto
 }
 
 std::vector<std::uint8_t> replyOf(const AskedServo& servo) {
-  const Window window = kServoWindows[servo.entry.poll];
+  const RegisterWindow window = kServoWindows[servo.entry.poll];
   std::vector<std::uint8_t> params(window.count);
   const std::size_t at = servo::kPresentPosition - window.address;
   params[at] = lowByte(servo.ticks);
