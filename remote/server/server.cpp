@@ -156,13 +156,6 @@ JpegPicture Server::picture(const Request& request) {
   return request.extended ? JpegPicture{} : JpegPicture{.jpeg = config_.no_picture};
 }
 
-/// In simulated time a request runs cycles and renders a picture, which may take seconds: the client waits meanwhile,
-/// so its silence starts now.
-void Server::finishedWork() {
-  now_ = clock_();
-  client_->last_request_at = now_;
-}
-
 void Server::openPictures() {
   std::string why = "this robot has no camera";
   try {

@@ -62,7 +62,9 @@ class Server {
   void refuse(const Request& request, const std::string& what, const std::string& why);
   [[nodiscard]] bool mustAwait(std::uint64_t cycle, const Sensors& seen) const;
   [[nodiscard]] JpegPicture picture(const Request& request);
-  void finishedWork();
+  /// In simulated time a request runs cycles and renders a picture, which may take seconds: the client waits meanwhile,
+  /// so its silence starts now.
+  void finishedWork() { client_->last_request_at = now_ = clock_(); }
   void openPictures();
   void accept();
   void checkSilence();
