@@ -35,7 +35,7 @@ Files filesWith(std::initializer_list<const char*> texts) {
 
 TEST(EntryPoints, NothingWritesToASerialLineButWhatHasJudgedTheRobot) {
   EXPECT_EQ(filesWith({"#include \"hal/cm730/serial_port.hpp\"", "#include \"hal/cm730/serial_open.hpp\""}),
-            (Files{"apps/doctor.cpp", "connect/connect.cpp", "hal/cm730/diagnosis/port_check.cpp",
+            (Files{"apps/doctor.cpp", "connect/serial_bus.cpp", "hal/cm730/diagnosis/port_check.cpp",
                    "hal/cm730/diagnosis/port_check.hpp", "hal/cm730/serial_errors.cpp", "hal/cm730/serial_open.cpp",
                    "hal/cm730/serial_port.cpp"}));
   EXPECT_EQ(filesWith({"#include \"hal/cm730/bus.hpp\""}),
@@ -45,8 +45,8 @@ TEST(EntryPoints, NothingWritesToASerialLineButWhatHasJudgedTheRobot) {
       (Files{"core/packet.cpp", "core/packet.hpp", "hal/cm730/bus.cpp", "hal/cm730/diagnosis/instruction_trial.cpp",
              "hal/cm730/diagnosis/probe.cpp", "hal/cm730/diagnosis/transactions.cpp",
              "hal/cm730/diagnosis/transactions.hpp", "hal/cm730/goal_writer.cpp"}));
-  EXPECT_EQ(filesWith({"openSerialBus("}),
-            (Files{"apps/runtime.cpp", "connect/connect.cpp", "connect/connect.hpp", "supervisor/rescue.cpp"}));
+  EXPECT_EQ(filesWith({"openSerialBus("}), (Files{"apps/runtime.cpp", "connect/connect.cpp", "connect/serial_bus.cpp",
+                                                  "connect/serial_bus.hpp", "supervisor/rescue.cpp"}));
 }
 
 }  // namespace
