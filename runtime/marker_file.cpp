@@ -5,8 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -64,7 +62,7 @@ void MarkerFile::create() {
       (void)write();
       return;
     }
-    if (errno != EEXIST || !remove(path_)) return;
+    if (errno != EEXIST || !removeAny(path_)) return;
   }
 }
 
@@ -83,16 +81,6 @@ bool MarkerFile::write() const {
 
 void MarkerFile::removeIfClear() {
   if (!set_ && kept() && !isGone(file_)) unlink(path_.c_str());
-}
-
-bool MarkerFile::remove(const std::string& path) {
-  if (std::remove(path.c_str()) == 0 || errno == ENOENT) return true;
-  // A folder with content: root may rename it.
-  std::string aside = path + ".XXXXXX";
-  if (mkdtemp(aside.data()) == nullptr) return false;
-  if (std::rename(path.c_str(), aside.c_str()) == 0) return true;
-  rmdir(aside.c_str());
-  return false;
 }
 
 }  // namespace darwinop::runtime

@@ -27,8 +27,6 @@ class MarkerFile {
 
   /// Removes the file if its bit is cleared.
   void removeIfClear();
-  /// Removes whatever has this name. False: not permitted.
-  static bool remove(const std::string& path);
 
  private:
   void find();

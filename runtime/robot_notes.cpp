@@ -37,8 +37,8 @@ void RobotNotes::update(const Sensors& seen) {
 }
 
 void RobotNotes::forget(const RuntimeFiles& files) {
-  MarkerFile::remove(files.released);
-  MarkerFile::remove(files.held);
+  (void)removeAny(files.released);
+  (void)removeAny(files.held);
 }
 
 }  // namespace darwinop::runtime

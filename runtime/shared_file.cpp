@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -79,6 +81,15 @@ std::optional<SharedFile> openShared(const std::string& path, int flags, FileOwn
   if (fstat(file.fd(), &status) != 0) throw std::runtime_error("cannot look at " + path + ": " + std::strerror(errno));
   if (const std::string why = whyRefused(status, owner); !why.empty()) refuse(path, why);
   return file;
+}
+
+bool removeAny(const std::string& path) {
+  if (std::remove(path.c_str()) == 0 || errno == ENOENT) return true;
+  std::string aside = path + ".XXXXXX";
+  if (mkdtemp(aside.data()) == nullptr) return false;
+  if (std::rename(path.c_str(), aside.c_str()) == 0) return true;
+  rmdir(aside.c_str());
+  return false;
 }
 
 }  // namespace darwinop::runtime

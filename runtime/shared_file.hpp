@@ -34,6 +34,9 @@ class SharedFile {
 /// open it (see errno). Throws std::runtime_error with owner and remedy for a file that is not accepted.
 std::optional<SharedFile> openShared(const std::string& path, int flags, FileOwner owner);
 
+/// Removes whatever has this name; a folder with content gets another name. False: not permitted.
+[[nodiscard]] bool removeAny(const std::string& path);
+
 /// "user 'eve' (uid 1001)".
 std::string ownerOf(const struct stat& status);
 

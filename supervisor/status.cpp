@@ -50,7 +50,8 @@ bool writeStatus(const Status& status, const std::string& path) {
   const bool written =
       fchmod(fd, 0644) == 0 && ::write(fd, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
   close(fd);
-  if (written && rename(fresh.c_str(), path.c_str()) == 0) return true;
+  const auto replaces = [&] { return rename(fresh.c_str(), path.c_str()) == 0; };
+  if (written && (replaces() || (runtime::removeAny(path) && replaces()))) return true;
   unlink(fresh.c_str());
   return false;
 }

@@ -1,6 +1,7 @@
 #include "supervisor/status.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -32,11 +33,28 @@ TEST(Status, AMissingOrIncompleteFileIsEmpty) {
   EXPECT_EQ(readStatus(folder / "status"), std::nullopt);
 }
 
-TEST(Status, NoForeignThingBesideItPreventsIt) {
+TEST(Status, AForeignThingInItsPlaceIsNotReadAndIsReplaced) {
   const TemporaryFolder folder;
+  const std::string path = folder / "status";
   std::filesystem::create_directories(folder / "status.new/full");  // the name of earlier versions
-  EXPECT_TRUE(writeStatus(Status{}, folder / "status"));
-  EXPECT_EQ(readStatus(folder / "status"), Status{});
+  const auto expect_replaced = [&] {
+    EXPECT_EQ(readStatus(path), std::nullopt);
+    EXPECT_TRUE(writeStatus(Status{}, path));
+    EXPECT_EQ(readStatus(path), Status{});
+    std::filesystem::remove(path);
+  };
+  std::filesystem::create_directories(folder / "status/full");
+  expect_replaced();
+  ASSERT_EQ(mkfifo(path.c_str(), 0666), 0);
+  expect_replaced();
+  ASSERT_TRUE(writeStatus(Status{}, folder / "other"));
+  std::filesystem::create_symlink(folder / "other", path);
+  expect_replaced();
+  std::filesystem::create_hard_link(folder / "other", path);
+  expect_replaced();
+  ASSERT_TRUE(writeStatus(Status{}, path));
+  ASSERT_EQ(chmod(path.c_str(), 0666), 0);
+  expect_replaced();
 }
 
 TEST(Status, AMissingFolderReturnsFalse) {
