@@ -209,7 +209,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "the first shutdown counts", "torque limits do not go with goals while a servo works at its limit",
      "servo_hazards_test:Shutdown.IsBelievedAtOnceWhenTheSpeedOfTheJointChangesInEveryStep "
      "campaign_test:CorrelatedFaults.AStreamOfTorqueLimitsHidesNoShutdown "
-     "hazard_reaction_test:Reaction.AStreamOfTorqueLimitsHidesNoShutdown"},
+     "hazard_reaction_test:ReactionAtStart.AStreamOfTorqueLimitsHidesNoShutdown"},
     {"H312", "A joint is driven without feedback", "its encoder is stuck",
      "a constant position while the servo pushes both ways is reported", "fault 26",
      "safety_test:Encoder.APositionThatStaysTheSameWhileTheServoPushesBothWaysIsReported "

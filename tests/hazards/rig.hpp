@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/commands.hpp"
+#include "core/conversions.hpp"
 #include "core/packet.hpp"
 #include "hal/cm730/bus.hpp"
 #include "hil-mocks/memory_line.hpp"
@@ -87,10 +88,11 @@ struct HazardRig {
     ADD_FAILURE() << "no reaction within " << kLimit << " cycles";
     return kLimit + 1;
   }
-  /// A controller drives every joint.
+  /// A controller drives every joint. Each has caught up with its goal, so that nothing but limits makes it slow.
   void drive() {
     cyclesUntil([this] { return state() == State::kDriven && torqueCount() == kJoints; });
-    run(60);  // past the gentle phase
+    for (std::size_t i = 0; i < kJoints; ++i) commands.joint[i].setGoal(radFromTicks(goal(static_cast<Joint>(i))));
+    run(60);
   }
   /// From now on, at every joint that the kind concerns.
   void fault(hil::FaultKind kind, double amount = 0, Nanos lasts = hil::InjectedFault::kForEver) {
