@@ -16,6 +16,7 @@
 #include "connect/connect.hpp"
 #include "connect/keys.hpp"
 #include "fixture.hpp"
+#include "support/temporary_folder.hpp"
 #include "webots/messages.hpp"
 #include "webots/stop_signals.hpp"
 
@@ -93,6 +94,30 @@ TEST_F(StartUp, ConfigIniBesideTheProgramIsRead) {
   const webots::Robot robot;
   EXPECT_EQ(robot.getBasicTimeStep(), 24);
   EXPECT_EQ(request_seen.safety.stall_ms, 250);
+}
+
+TEST_F(StartUp, TheFolderOfAnInterpretedProgramTakesThePlaceOfTheInterpretersOwn) {
+  const TemporaryFolder folder;
+  const std::string scripts = fs::canonical(folder / ".").string();
+  setProgramDirectory(scripts);
+  writeConfig("[Robot Config]\ntime_step=24\n");
+  {
+    const webots::Robot robot;
+    EXPECT_EQ(fs::current_path(), scripts);
+    EXPECT_EQ(robot.getProjectPath(), scripts);
+    EXPECT_EQ(robot.getBasicTimeStep(), 24);
+  }
+  fs::current_path(before_);
+  setProgramDirectory("");
+  EXPECT_NE(programDirectory(), scripts);
+}
+
+TEST_F(StartUp, AFailedStartCanBeCaught) {
+  robot_to_meet = nullptr;
+  EXPECT_THROW(connectOrThrow(), std::runtime_error);
+  robot_to_meet = &fake_;
+  const webots::Robot robot;
+  EXPECT_THROW(connectOrThrow(), std::runtime_error) << "there is one already";
 }
 
 TEST_F(StartUp, CtrlCMakesStepReturnMinusOne) {
