@@ -12,17 +12,22 @@ compiler=${CC:-gcc}
 # Name, effort, and what the configuration defines. `processes`: people, processes and servos on a good wire. `wire`: lost
 # writes and outages of up to MAXMISS cycles, a controller only. `way_out`, `release`: from every state of `processes` the
 # robot drives again, or becomes limp, when nothing breaks any more and a person acts (docs/faults.md); they visit what
-# `processes` visits, and check the same assertions.
+# `processes` visits, and check the same assertions. `charge`: charge, heat, encoder and falls change in any cycle; they
+# double the transitions, so the others go without. `fall`: with [Safety] on_fall = limp.
 configurations() {
   cat <<'END'
 processes deep -DNO_WIRE
 wire gate -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=6 -DMAXBOOT=1
 way_out gate -DNO_WIRE -DWAY_OUT=1
+charge gate -DCHARGE -DNO_WIRE -DFIXED_PROCESSES -DNO_PEOPLE -DWAY_OUT=1
+way_out_charge deep -DCHARGE -DNO_WIRE -DWAY_OUT=1
+wire_charge deep -DCHARGE -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=6 -DMAXBOOT=1
 release deep -DNO_WIRE -DWAY_OUT=2
 processes_hold deep -DNO_WIRE -DON_EXIT=RE_hold
 processes_limp deep -DNO_WIRE -DON_EXIT=RE_limp
 way_out_hold deep -DNO_WIRE -DWAY_OUT=1 -DON_EXIT=RE_hold
 way_out_limp deep -DNO_WIRE -DWAY_OUT=1 -DON_EXIT=RE_limp
+fall deep -DCHARGE -DNO_WIRE -DFIXED_PROCESSES -DWAY_OUT=1 -DON_FALL=RE_limp
 wire_boot deep -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=7
 wire_way_out deep -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=7 -DMAXBOOT=1 -DWAY_OUT=1
 people_wire deep -DFIXED_PROCESSES -DMAXMISS=6 -DMAXBOOT=1

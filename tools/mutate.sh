@@ -170,7 +170,6 @@ caught_by() {
 # Rows that the model has no cause for cannot be noticed by it.
 in_the_model() {
   case $1 in
-    BatteryLow* | BatteryEmpty* | ServoHot* | ServoOverheat* | ServoVoltage* | ServoSilent* | EncoderStuck* | Fell* | StartMissed*) return 1 ;;
     *ends_controller*) return 1 ;;  # there a controller may go on asking as well as end
     states.hpp* | patience* | *' reaction '* | *' latched '*) return 0 ;;
     *) return 1 ;;
@@ -179,7 +178,7 @@ in_the_model() {
 
 caught_by_model() {
   [ "${MUTATE_MODEL:-1}" != 0 ] && in_the_model "$1" || return 1
-  ! (cd "$tree" && tools/model-check.sh build/debug/bin processes) >"$log" 2>&1 || return 1
+  ! (cd "$tree" && tools/model-check.sh build/debug/bin charge && tools/model-check.sh build/debug/bin processes) >"$log" 2>&1 || return 1
   echo "model: $(grep -oE 'assertion violated.*|acceptance cycle' "$log" | head -1 | sed 's/ (at depth.*//')"
 }
 

@@ -69,7 +69,8 @@ inline carry_out() {
   fi
 }
 
-/* Board and servo: at most one thing breaks in a cycle, before or after the write. */
+/* Board and servo: at most one thing breaks in a cycle, before or after the write. Charge and heat, which the guard reads
+   before it writes, are tried where they change anything: one for both as long as their rows are the same. */
 inline choose_what_breaks() {
   broken = B_NOTHING;
   if
@@ -78,8 +79,14 @@ inline choose_what_breaks() {
   :: !calm && board_power && boot == 0 -> broken = B_RAIL;
      if :: boot_now = 0 :: boot_now = 1 :: boot_now = MAXBOOT fi  /* 0: it is back before it is asked */
   :: !calm && (s_on || phase == PLACED || phase == MOVING) -> broken = B_OVERLOAD
+  :: !calm && up && (possible & 1) -> broken = B_EMPTY
+  :: !calm && up && (possible & 2) -> broken = B_OVERHEAT
+  :: !calm && up && (possible & 4) -> broken = B_MINOR
+#ifdef ON_FALL
+  :: !calm && up -> broken = B_TURNS
+#endif
   fi;
-  if :: broken != B_NOTHING -> if :: before_write = 0 :: before_write = 1 fi :: else -> skip fi
+  if :: broken == B_RESET || broken == B_RAIL || broken == B_OVERLOAD -> if :: before_write = 0 :: before_write = 1 fi :: else -> skip fi
 }
 
 inline something_breaks() {

@@ -119,6 +119,18 @@ inline note_faults() {
   if :: act == A_RELEASE -> cause = cause | (1 << FA_released_by_operator) :: else -> skip fi;
   if :: session && !ended && silence >= 1 -> cause = cause | (1 << FA_controller_stalled) :: else -> skip fi;
   if :: session && !ended && silence == 2 -> cause = cause | (1 << FA_controller_gone) :: else -> skip fi;
+  if
+  :: broken == B_EMPTY -> cause = cause | (1 << FA_battery_low) | (1 << FA_battery_empty)
+  :: broken == B_OVERHEAT -> cause = cause | (1 << FA_servo_hot) | (1 << FA_servo_overheat)
+  :: broken == B_MINOR -> c_code { now.cause |= MINOR; }
+  :: broken == B_TURNS -> lies = !lies
+  :: else -> skip
+  fi;
+  if :: calm -> lies = 0 :: else -> skip fi;  /* stood up */
+  if :: lies && up -> cause = cause | (1 << FA_fell) :: else -> skip fi;
+  if :: up && powered && age > PATIENCE -> cause = cause | (1 << FA_servo_silent) :: else -> skip fi;
+  if :: fresh && flicker -> cause = cause | (1 << FA_servo_voltage) :: else -> skip fi;  /* any bit of the error byte */
+  if :: state == ST_starting && arrived && phase != MOVING -> cause = cause | (1 << FA_start_missed) :: else -> skip fi;
   c_code { now.faults = noted(now.faults, now.cause); };
   cause = 0;
   /* A controller whose step() returns -1 ends; without that its process goes on asking. */

@@ -22,6 +22,11 @@
 #ifndef ON_EXIT
 #define ON_EXIT RE_kneel  /* [Safety] on_exit: RE_hold, RE_kneel, RE_limp */
 #endif
+#ifdef ON_FALL  /* [Safety] on_fall: RE_limp; without it the row counts */
+#define REACTION(i) ((i) == FA_fell ? ON_FALL : reaction_table[i])
+#else
+#define REACTION(i) reaction_table[i]
+#endif
 #ifndef MAXMISS
 #define MAXMISS  7
 #endif
@@ -54,7 +59,7 @@ c_code {
   static int worst_reaction(int active) {
     int worst = RE_report;
     for (int i = 0; i < NFAULTS; ++i)
-      if ((active >> i & 1) && reaction_table[i] > worst) worst = reaction_table[i];
+      if ((active >> i & 1) && REACTION(i) > worst) worst = REACTION(i);
     return worst;
   }
   static int any_latched(int active) {
@@ -66,6 +71,37 @@ c_code {
     for (int i = 0; i < NFAULTS; ++i)
       if ((active >> i & 1) && latched_table[i] && reaction_table[i] == RE_limp) return 1;
     return 0;
+  }
+  /* At least the effects of the other, for as long: beside a latched fault that dominates it, a fault changes nothing. */
+  static int dominates(int i, int j) {
+    return latched_table[i] && reaction_table[i] >= reaction_table[j] && ends_table[i] >= ends_table[j];
+  }
+  /* What later cycles need of the active faults. Those that end with their cause are noted again in each cycle; of the
+     latched ones that none dominates, the first of equal rows stands for all. Fewer states, the same behaviour. */
+  static int remember(int active) {
+    int kept = 0;
+    for (int i = 0; i < NFAULTS; ++i) {
+      if (!(active >> i & 1) || !latched_table[i]) continue;
+      int first = i, dominated = 0;
+      for (int j = 0; j < NFAULTS; ++j) {
+        if (!dominates(j, i)) continue;
+        if (!dominates(i, j)) dominated |= active >> j & 1;
+        else if (j < first) first = j;
+      }
+      if (!dominated) kept |= 1 << first;
+    }
+    return kept;
+  }
+  /* Would these faults change anything now? */
+  static int matters(int active, int more) {
+    return worst_reaction(active | more) != worst_reaction(active) || remember(active | more) != remember(active);
+  }
+  /* Causes outside of the state of board and servo that would change anything now: a bit each. */
+#define MINOR (1 << FA_battery_low | 1 << FA_servo_hot | 1 << FA_encoder_stuck | 1 << FA_fell)
+  static int to_try(int active) {
+    int same = remember(1 << FA_servo_overheat) == remember(1 << FA_battery_empty);
+    return matters(active, 1 << FA_battery_empty) | (!same && matters(active, 1 << FA_servo_overheat)) << 1 |
+           matters(active, MINOR) << 2;
   }
   static int ends_controller(int active) {
     for (int i = 0; i < NFAULTS; ++i)
@@ -110,6 +146,7 @@ bit board_power, reset_seen, shut_seen, placed_seen, up, fresh, bit_seen, looked
 bit off_seen;                /* two answers in a row say that servo power is off */
 bit s_on, s_goal_right, s_shut, kept;
 bit s_reset;                 /* restarted, its settings are those of power-up */
+bit lies;                    /* the robot has fallen */
 bit s_placed;                /* it has the goal that was placed last */
 byte boot;
 byte look_age;
@@ -124,13 +161,13 @@ bit mode_pressed;                  /* since then MODE was pressed */
 
 /* -- of one cycle; zero between two -- */
 mtype = { A_NOBODY, A_MODE, A_START, A_RESET, A_RELEASE, A_COMES, A_RESTARTED, A_ENDS, A_FAILS, A_HANGS, A_GOES_ON,
-          A_RUNTIME_DIES, A_BOOTS, A_SUPERVISOR_DIES, B_NOTHING, B_RESET, B_RAIL, B_OVERLOAD, W_FINE, W_WRITE_LOST,
+          A_RUNTIME_DIES, A_BOOTS, A_SUPERVISOR_DIES, B_NOTHING, B_RESET, B_RAIL, B_OVERLOAD, B_EMPTY, B_OVERHEAT, B_MINOR, B_TURNS, W_FINE, W_WRITE_LOST,
           W_WRONG_BIT, W_REPLY_LOST, W_BOTH_LOST }
 byte act, broken, wire, boot_now, obeys, rearm, armed_now;  /* obeys: a controller that step() requests to end: 0 goes on, 1 ends, 2 fails */
 bit before_write, in_place_now, arrived;
 byte came, ev, demand, write_off, write_on, write_goal, delivered, wanted, received;
 byte lost_now, under_torque, was_suspected, offline_now, restart, verdict;
-int cause, fact, event = NEVENTS;
+int cause, fact, possible, event = NEVENTS;
 
 inline servo_off() {
   if :: s_on -> off_for = 0; goal_right = 0; ref_right = 0 :: else -> skip fi;  /* a limp joint stays where it is */
@@ -262,6 +299,9 @@ active proctype robot() {
        if :: calm = 1 :: skip fi;
 #endif
        c_code { now.fact = any_latched(now.faults); };
+#ifdef CHARGE
+       c_code { now.possible = to_try(now.faults); };
+#endif
        choose_who_acts();
        choose_what_breaks();
        choose_wire();
@@ -270,7 +310,12 @@ active proctype robot() {
        :: !calm && (state == ST_starting || (state == ST_kneeling && (board_power || lost))) -> if :: arrived = 0 :: arrived = 1 fi
        :: else -> arrived = calm
        fi;
-       if :: session && !ended && faults != 0 -> if :: obeys = 1 :: obeys = 2 :: !calm -> obeys = 0 fi :: else -> obeys = 1 fi;
+       /* Only where a fault is or may come that ends the controller. */
+       if
+       :: session && !ended && (faults != 0 || act == A_MODE || act == A_RELEASE || broken == B_EMPTY ||
+                                broken == B_OVERHEAT || bit_once || off_look || shut_at_once || off_once) -> if :: obeys = 1 :: obeys = 2 :: !calm -> obeys = 0 fi
+       :: else -> obeys = 1
+       fi;
        /* The grace in which an overload bit is not a fact yet ends at any time; another joint enters in any cycle. */
        if :: phase == MOVING && !armed -> if :: !calm -> armed_now = 0 :: armed_now = 1 fi :: else -> armed_now = 0 fi;
        if :: s_shut && phase == MOVING && !calm -> if :: rearm = 0 :: rearm = 1 fi :: else -> rearm = 0 fi;
@@ -291,11 +336,12 @@ active proctype robot() {
             answer();
             judge()
          fi;
+         c_code { now.faults = remember(now.faults); };
          forget_the_dead();
          act = 0; broken = 0; wire = 0; boot_now = 0; before_write = 0; in_place_now = 0; obeys = 0; arrived = 0;
          came = 0; ev = 0; demand = 0; write_off = 0; write_on = 0; write_goal = 0; delivered = 0; wanted = 0; received = 0;
          lost_now = 0; under_torque = 0; was_suspected = 0; offline_now = 0; fact = 0; cause = 0; kept = 0;
-         rearm = 0; armed_now = 0; restart = 0; verdict = 0
+         rearm = 0; armed_now = 0; restart = 0; verdict = 0; possible = 0
        }
      }
   od
