@@ -64,12 +64,18 @@ bool becomesTrue(const std::function<bool()>& condition) {
   return true;
 }
 
-/// False: the last supervisor has left joints that may be under torque; prints which.
+/// The last supervisor has recorded it. Prints why not: joints that may be under torque, or no such record.
 bool robotIsAtRest(const runtime::RuntimeFiles& files) {
-  const auto status = readStatus(SupervisorFiles{files}.status);
-  if (!status || status->left.empty()) return true;
-  std::cout << status->left << '\n';
+  const std::string path = SupervisorFiles{files}.status;
+  const auto status = readStatus(path);
+  if (status && status->at_rest) return true;
+  std::cout << (status && !status->left.empty() ? status->left : messages::kNoRecordOfRest + path) << '\n';
   return false;
+}
+
+/// A supervisor has run since the computer was started.
+bool hasRun(const runtime::RuntimeFiles& files) {
+  return access(SupervisorFiles{files}.lock.c_str(), F_OK) == 0;
 }
 
 std::string stateOf(const runtime::RuntimeFiles& files) {
@@ -134,16 +140,14 @@ int printStatus(const runtime::RuntimeFiles& files) {
 
 int stopSupervisor(const runtime::RuntimeFiles& files) {
   const pid_t pid = runningOne(files);
-  if (pid == 0) return noneRuns(robotIsAtRest(files) ? 0 : 1);
+  if (pid == 0) return noneRuns(!hasRun(files) || robotIsAtRest(files) ? 0 : 1);
   order(files, pid, SIGTERM);
   // The kernel releases the lock when the process is gone.
   if (!becomesTrue([&] { return runningOne(files) != pid; }))
     throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
                              ") has not ended within a minute; its state: " + stateOf(files));
   std::cout << "the supervisor has ended\n";
-  if (!robotIsAtRest(files)) return 1;
-  if (readStatus(SupervisorFiles{files}.status)) throw std::runtime_error(messages::kKilledMeanwhile);
-  return 0;
+  return robotIsAtRest(files) ? 0 : 1;
 }
 
 int stopController(const runtime::RuntimeFiles& files) {

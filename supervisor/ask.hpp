@@ -9,8 +9,8 @@ namespace darwinop::supervisor {
 
 /// 0: a supervisor runs, 1: none.
 int printStatus(const runtime::RuntimeFiles& files);
-/// Returns when the supervisor and all its child processes have ended. 0: the robot is at rest, or none has run; 1:
-/// joints may be under torque, also if the last supervisor has left them so.
+/// Returns when the supervisor and all its child processes have ended. 0: the last supervisor has recorded that the
+/// robot is at rest, or none has run since the computer was started; 1: it has not, and joints may be under torque.
 int stopSupervisor(const runtime::RuntimeFiles& files);
 /// Returns when the default controller has ended. 0 also if it had already ended; 1: no supervisor runs.
 int stopController(const runtime::RuntimeFiles& files);

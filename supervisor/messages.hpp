@@ -5,8 +5,10 @@ namespace darwinop::supervisor::messages {
 
 // ask.cpp
 inline constexpr const char* kNoSupervisor = "no supervisor runs";
-inline constexpr const char* kKilledMeanwhile =
-    "the supervisor was killed before it ended: its runtime brings the robot to rest; watch the robot until it sits";
+inline constexpr const char* kNoRecordOfRest =  // then the file
+    "the last supervisor has not recorded that the robot is at rest: it was killed (its runtime then brings the robot "
+    "to "
+    "rest), or its file could not be written. Watch the robot until it sits, and hold it if it stands; file: ";
 
 // default_controller.cpp: after the controller's name
 inline constexpr const char* kEndedByItself = " has ended by itself";

@@ -16,8 +16,8 @@ namespace darwinop::supervisor {
 struct SupervisorFiles {
   explicit SupervisorFiles(const runtime::RuntimeFiles& files)
       : lock{files.exchange + ".supervisor"}, status{files.exchange + ".supervised"} {}
-  std::string lock;    // locked for the lifetime of the supervisor
-  std::string status;  // replaced at every change
+  std::string lock;    // locked for the lifetime of the supervisor; the file remains
+  std::string status;  // replaced at every change; the last one remains
 };
 
 struct Status {
@@ -26,6 +26,7 @@ struct Status {
   std::size_t crashes = 0;                    // of the controller, within the last minute
   std::uint32_t orders = 0;                   // completed so far
   std::string left;                           // at the end: sentence if joints may be under torque
+  bool at_rest = false;                       // at the end: no joint is under torque
   bool controller_ended = false;              // and will not be restarted automatically
 
   bool operator==(const Status&) const = default;

@@ -48,10 +48,8 @@ Supervisor::Supervisor(const Setup& setup)
       claim_{claim(own_.lock)},
       controller_{checkedHome(setup.home), files_},
       logs_{{setup.home + "/log/supervisor.log", setup.home + "/log/controller.log"}},
-      start_wait_{kFirstWait} {}
-
-Supervisor::~Supervisor() {
-  if (!failed_) unlink(own_.status.c_str());
+      start_wait_{kFirstWait} {
+  unlink(own_.status.c_str());  // what an earlier supervisor recorded holds no longer, even if no record can be written
 }
 
 int Supervisor::run() {
@@ -137,6 +135,7 @@ void Supervisor::publishStatus() {
   status.runtime_pid = runtime_ ? runtime_->process().pid() : 0;
   status.orders = orders_;
   if (phase_ == SupervisorPhase::kOver && failed_) status.left = robot_.substr(kSeparator.size());
+  status.at_rest = phase_ == SupervisorPhase::kOver && !failed_;
   if (phase_ != SupervisorPhase::kUp) status.state = state_text_;
   if (status == published_) return;
   if (writeStatus(status, own_.status)) published_ = status;

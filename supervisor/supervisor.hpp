@@ -31,7 +31,7 @@ class Supervisor {
  public:
   /// Throws std::runtime_error if another supervisor runs, or if the home is not a folder.
   explicit Supervisor(const Setup& setup);
-  ~Supervisor();
+  ~Supervisor() = default;
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 

@@ -20,6 +20,7 @@ TEST(Status, WhatIsWrittenIsRead) {
   status.crashes = 2;
   status.orders = 7;
   status.left = "a sentence";
+  status.at_rest = true;
   status.controller_ended = true;
   ASSERT_TRUE(writeStatus(status, folder / "status"));
   status.state = "two lines";

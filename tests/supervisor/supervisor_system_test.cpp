@@ -188,7 +188,7 @@ TEST_F(Home, StopEndsEvenAnUnresponsiveController) {
   EXPECT_EQ(ask("--stop"), 0) << said_;
   EXPECT_EQ(supervisor_->wait(seconds{1}), 0) << supervisor_->output();
   EXPECT_THAT(supervisor_->output(), HasSubstr(std::string{" 3 s"} + messages::kKilled));
-  EXPECT_FALSE(std::filesystem::exists(SupervisorFiles{runtime::RuntimeFiles{}}.status));
+  EXPECT_TRUE(status().at_rest);
   const Registers robot = registers();
   EXPECT_EQ(robot.stiff, 0);
   EXPECT_LT(robot.furthest, 0.1);

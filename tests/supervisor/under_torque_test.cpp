@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <cstring>
 
 #include "runtime/daemon.hpp"
 #include "runtime/messages.hpp"
@@ -104,9 +105,24 @@ TEST_F(UnderTorque, ASupervisorThatIsKilledDuringAStopMakesItFail) {
   ASSERT_TRUE(within(seconds{10}, [this] { return status().controller_ended; }));
   supervisor_->kill(SIGKILL);
   EXPECT_EQ(asking.wait(seconds{20}), 1);
-  EXPECT_THAT(asking.output(), HasSubstr(messages::kKilledMeanwhile));
+  EXPECT_THAT(asking.output(), HasSubstr(messages::kNoRecordOfRest));
   EXPECT_TRUE(within(seconds{20}, [] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
   EXPECT_EQ(registers().stiff, 0);
+}
+
+TEST_F(UnderTorque, AStopFailsIfTheSupervisorCannotRecordThatTheRobotIsAtRest) {
+  // Long enough that the record's temporary file has no valid name, and the shared files of the runtime have.
+  const std::string name = file(std::string(255 - std::strlen(".commands.XXXXXX"), 'x'));
+  setenv("DARWINOP_RUNTIME_NAME", name.c_str(), 1);
+  ASSERT_FALSE(writeStatus(Status{}, SupervisorFiles{runtime::RuntimeFiles{}}.status));
+  startVirtualRobot();
+  startSupervisor();  // without a default controller
+  ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
+  for (const char* when : {"while it runs", "an installer that tries again"}) {
+    EXPECT_EQ(ask("--stop"), 1) << when;
+    EXPECT_THAT(said_, HasSubstr(messages::kNoRecordOfRest + name)) << when;
+  }
+  EXPECT_EQ(supervisor_->wait(seconds{5}), 0) << "its log says that the robot is at rest";
 }
 
 }  // namespace
