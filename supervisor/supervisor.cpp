@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/daemon.hpp"
 #include "runtime/robot_notes.hpp"
 #include "supervisor/messages.hpp"
 #include "supervisor/robot_settings.hpp"
@@ -65,7 +66,7 @@ int Supervisor::run() {
     if (phase_ == SupervisorPhase::kOver) break;
   }
   log(messages::kEnded + robot_);
-  return failed_ ? 1 : 0;
+  return failed_ ? runtime::kExitUnderTorque : 0;
 }
 
 void Supervisor::update() {

@@ -35,7 +35,8 @@ class Supervisor {
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  /// Returns after a stop command, when all is at rest. Returns the exit status.
+  /// Returns after a stop command, when all has ended. Exit status 0: the robot is at rest; runtime::kExitUnderTorque:
+  /// joints may be under torque.
   int run();
 
  private:

@@ -44,7 +44,7 @@ RestrictSUIDSGID=yes
 MemoryDenyWriteExecute=yes
 KillMode=process
 Restart=on-failure
-RestartPreventExitStatus=1
+RestartPreventExitStatus=4
 LimitRTPRIO=99
 LimitMEMLOCK=infinity
 END

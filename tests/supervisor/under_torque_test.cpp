@@ -8,6 +8,7 @@
 #include "runtime/messages.hpp"
 #include "supervisor/home.hpp"
 #include "supervisor/messages.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -33,7 +34,7 @@ class UnderTorque : public Home {
   void expectStopFailsFor(const std::string& joints) {
     EXPECT_EQ(ask("--stop"), 1);
     EXPECT_THAT(said_, HasSubstr(underTorque(joints)));
-    EXPECT_EQ(supervisor_->wait(seconds{5}), 1);
+    EXPECT_EQ(supervisor_->wait(seconds{5}), runtime::kExitUnderTorque);
     EXPECT_THAT(supervisor_->output(), HasSubstr(messages::kEnded + ("; " + underTorque(joints))));
     EXPECT_EQ(ask("--stop"), 1) << "an installer that tries again";
     EXPECT_THAT(said_, HasSubstr(underTorque(joints)));
@@ -91,6 +92,14 @@ TEST_F(UnderTorque, AfterARescueToo) {
   kill(status().runtime_pid, SIGKILL);
   ASSERT_TRUE(says(runtime::messages::kUnderTorque + std::string{"Neck"}, seconds{60})) << supervisor_->output();
   expectStopFailsFor("Neck");
+}
+
+TEST(ExitStatus, UnderTorqueIsTheOnlyOneAfterWhichSystemdDoesNotStartTheSupervisorAgain) {
+  EXPECT_THAT(textOf(DARWINOP_UNIT),
+              HasSubstr("\nRestartPreventExitStatus=" + std::to_string(runtime::kExitUnderTorque) + "\n"));
+  const std::string no_folder = "/no/such/folder";
+  Program failing{{DARWINOP_BIN "/darwinop-supervisor", "--home", no_folder}, "/dev/null"};
+  EXPECT_EQ(failing.wait(seconds{10}), 1);
 }
 
 TEST_F(UnderTorque, AServoThatFellSilentUnderTorqueIsNamed) {
