@@ -2,14 +2,12 @@
 #include "runtime/controller_run.hpp"
 
 #include <signal.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -23,6 +21,7 @@
 #include "runtime/exchange.hpp"
 #include "runtime/messages.hpp"
 #include "runtime/names.hpp"
+#include "runtime/observer_connection.hpp"
 #include "runtime/operator.hpp"
 #include "runtime/python_command.hpp"
 #include "runtime/report.hpp"
@@ -38,35 +37,6 @@ void handOn(int signal, siginfo_t* info, void*) {
   if (child_pid > 0 && info->si_code <= 0) kill(static_cast<pid_t>(child_pid), signal);
   errno = error;
 }
-
-/// File with the statistics of a controller that hosts the loop itself. It survives a kill -9.
-class ObserverConnection {
- public:
-  ObserverConnection() : path_{kPrefix + std::to_string(getpid())} {
-    sweep();
-    forget();
-  }
-  ~ObserverConnection() { forget(); }
-  ObserverConnection(const ObserverConnection&) = delete;
-  ObserverConnection& operator=(const ObserverConnection&) = delete;
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  static constexpr const char* kPrefix = "/dev/shm/darwinop-run-";
-
-  void forget() const { unlink(path_.c_str()); }
-  /// Removes files of earlier runs that were killed.
-  static void sweep() {
-    std::error_code unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm", unreadable}) {
-      const std::string path = entry.path();
-      if (!path.starts_with(kPrefix)) continue;
-      const long pid = std::strtol(path.c_str() + std::strlen(kPrefix), nullptr, 10);
-      if (pid > 0 && kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH) unlink(path.c_str());
-    }
-  }
-  std::string path_;
-};
 
 /// Statistics of a loop over the run.
 class LoopFigures {
@@ -175,7 +145,8 @@ int runController(const RunRequest& request) {
   const auto attach = [](const RuntimeFiles& files) {
     return Exchange::attach(files.exchange, Exchange::Access::kRead);
   };
-  if (auto embedded = tryAttach(attach, RuntimeFiles{observer.path()})) {
+  auto embedded = observer.path().empty() ? std::nullopt : tryAttach(attach, RuntimeFiles{observer.path()});
+  if (embedded) {
     if (ending.by_signal && embedded->leftTorque())
       std::cerr << messages::kNoLoopLeft
                 << ". Hold the robot; pressing RESET on its back (or `darwinop run` again) releases torque"

@@ -97,13 +97,28 @@ TEST(Run, SweepsUpAfterARunThatWasKilledItself) {
   if (dead == 0) _exit(0);
   waitpid(dead, nullptr, 0);
   const std::string left = "/dev/shm/darwinop-run-" + std::to_string(dead);
-  const std::string alive = "/dev/shm/darwinop-run-" + std::to_string(getppid());
-  std::ofstream{left} << "x";
-  std::ofstream{alive} << "x";
+  const std::string alive = "/dev/shm/darwinop-run-" + std::to_string(getppid()) + "-AbCdEf";
+  std::ofstream{left} << "a file of earlier versions";
+  for (const std::string& folder : {left + "-AbCdEf", alive}) {
+    std::filesystem::create_directory(folder);
+    std::ofstream{folder + "/exchange"} << "x";
+  }
   run("");
   EXPECT_FALSE(std::filesystem::exists(left));
-  EXPECT_TRUE(std::filesystem::exists(alive));
-  std::filesystem::remove(alive);
+  EXPECT_FALSE(std::filesystem::exists(left + "-AbCdEf"));
+  EXPECT_TRUE(std::filesystem::exists(alive + "/exchange"));
+  std::filesystem::remove_all(alive);
+}
+
+/// The name consists of more than the pid, which another user can guess.
+TEST(Run, WorksThoughAnotherUserTookTheNameWithItsPidBeforehand) {
+  const std::string taken = "/dev/shm/darwinop-run-" + std::to_string(getpid());
+  std::filesystem::create_directories(taken + "/full");  // even root cannot replace it by a file
+  const Outcome outcome = run("");
+  EXPECT_TRUE(std::filesystem::exists(taken + "/full"));
+  std::filesystem::remove_all(taken);
+  EXPECT_EQ(outcome.status, 7) << outcome.warned;
+  EXPECT_THAT(outcome.last_line, ContainsRegex("^report: cycles=[1-9]"));
 }
 
 TEST(Run, TakesAFolderForTheProgramOfItsName) {
