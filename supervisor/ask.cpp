@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/text/printable.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
 #include "supervisor/messages.hpp"
@@ -105,7 +106,7 @@ int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function
   return 0;
 }
 
-/// Holder of the lease, with the program's name from the kernel (15 characters).
+/// Holder of the lease, with the program's name from the kernel (15 characters), which the program chooses.
 std::string driver(const runtime::RuntimeFiles& files) {
   const pid_t pid = runtime::FileLock::holder(files.drive_lock);
   if (pid == 0) return "none";
@@ -113,7 +114,7 @@ std::string driver(const runtime::RuntimeFiles& files) {
   std::string name;
   std::ifstream file{"/proc/" + std::to_string(pid) + "/comm"};
   std::getline(file, name);
-  return "pid " + std::to_string(pid) + (name.empty() ? "" : ", " + name);
+  return "pid " + std::to_string(pid) + (name.empty() ? "" : ", " + text::printable(name));
 }
 
 std::string process(pid_t pid) {

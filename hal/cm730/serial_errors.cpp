@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/text/printable.hpp"
 #include "hal/cm730/serial_open.hpp"
 
 namespace darwinop::cm730 {
@@ -35,7 +36,8 @@ std::string holder(const std::string& path) {
     if (pid == std::to_string(::getpid())) return "this process";
     std::string name;
     std::getline(std::ifstream{it->path() / "comm"}, name);
-    return std::string{"process "}.append(pid).append(" (").append(name).append(")");
+    // A process chooses its name.
+    return std::string{"process "}.append(pid).append(" (").append(text::printable(name)).append(")");
   }
   return {};
 }

@@ -2,11 +2,14 @@
 #include "supervisor/ask.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/prctl.h>
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "runtime/child.hpp"
 #include "runtime/file_lock.hpp"
 #include "supervisor/messages.hpp"
 #include "supervisor/status.hpp"
@@ -72,6 +75,21 @@ TEST_F(Ask, StopFailsIfAFolderHasTheNameOfTheRecord) {
   std::filesystem::create_directories(own_.status + "/full");
   EXPECT_EQ(stop(), 1);
   EXPECT_THAT(said_, HasSubstr(messages::kNoRecordOfRest + own_.status));
+}
+
+TEST_F(Ask, StatusEscapesTheNameThatTheDriverGaveItself) {
+  const auto supervisor = runtime::FileLock::tryTake(own_.lock);
+  ASSERT_TRUE(writeStatus(Status{}, own_.status));
+  std::optional<runtime::FileLock> lease;
+  const runtime::Child driver{[&] {
+    prctl(PR_SET_NAME, "\x1b[2Jfree");
+    lease = runtime::FileLock::tryTake(files_.drive_lock);
+  }};
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(printStatus(files_), 0);
+  const std::string shown = testing::internal::GetCapturedStdout();
+  EXPECT_THAT(shown, HasSubstr("pid " + std::to_string(driver.pid()) + ", \\x1b[2Jfree\n"));
+  EXPECT_THAT(shown, testing::Not(HasSubstr("\x1b")));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
@@ -16,6 +17,7 @@
 
 #include "hal/cm730/diagnosis/port_check.hpp"
 #include "hal/cm730/pty.hpp"
+#include "runtime/child.hpp"
 
 namespace darwinop::cm730 {
 namespace {
@@ -109,6 +111,17 @@ TEST(OpenSerial, RejectsAPortInUseAndNamesTheProcess) {
   EXPECT_EQ(second.fd, -1);
   EXPECT_EQ(second.step, Step::kLock);
   EXPECT_THAT(explain(pty.path(), second), HasSubstr(pty.path() + kPortInUse + "this "));
+}
+
+TEST(OpenSerial, EscapesTheNameThatTheProcessAtThePortGaveItself) {
+  const Pty pty;
+  const runtime::Child other{[&] {
+    prctl(PR_SET_NAME, "\x1b[2Jfree");
+    (void)openSerial(pty.path());
+  }};
+  const std::string said = explain(pty.path(), openSerial(pty.path()));
+  EXPECT_THAT(said, HasSubstr(std::to_string(other.pid()) + " (\\x1b[2Jfree)"));
+  EXPECT_THAT(said, testing::Not(HasSubstr("\x1b")));
 }
 
 TEST(OpenSerial, DoesNotChangeAPortInUse) {
