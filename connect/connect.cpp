@@ -7,6 +7,7 @@
 
 #include "connect/daemon_warnings.hpp"
 #include "connect/lockstep_robot.hpp"
+#include "connect/messages.hpp"
 #include "connect/robot_file.hpp"
 #include "connect/serial_bus.hpp"
 #include "connect/setting.hpp"
@@ -81,9 +82,9 @@ std::unique_ptr<runtime::RobotLink> twin(const ConnectRequest& request, const st
 std::unique_ptr<runtime::RobotLink> robotOverTcp(const ConnectRequest& request, const Address& server) {
   // The protocol cannot transmit them, and ignoring a requested limit silently would be unsafe.
   if (asksForSafety(request.safety))
-    throw std::runtime_error(request.config_file +
-                             ": [Safety] and [Limits] do not reach a robot over TCP. Remove them "
-                             "here and put them into robot.ini on the robot, where they hold for every controller");
+    throw std::runtime_error(request.config_file + messages::kNoSafetyOverTcp +
+                             ". Remove them here and put them into robot.ini on the robot, where they hold for every "
+                             "controller");
   remote::TcpOptions options;
   options.host = server.host;
   options.port = server.port;

@@ -8,6 +8,9 @@ inline constexpr const char* kNoRobotFile = "no robot.ini: port, limits and offs
 inline constexpr const char* kNoJointLeft = "a robot without any joint cannot be driven";
 inline constexpr const char* kGivenTwice = " is there a second time; keep one of the two";  // after the key
 
+// connect.cpp; after the controller's file.
+inline constexpr const char* kNoSafetyOverTcp = ": [Safety] and [Limits] do not reach a robot over TCP";
+
 // Camera; followed by the reason.
 inline constexpr const char* kNoPicturesForObservers =
     "observers of darwinop monitor see no pictures while this drives: ";
