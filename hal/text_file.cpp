@@ -45,7 +45,12 @@ std::optional<std::string> readTextFile(const std::string& path, std::size_t lon
   if (file.number < 0 || fstat(file.number, &about) != 0) refuse(path, std::strerror(errno) + std::string{kRemedy});
   if (isNull(about)) return std::string{};
   if (!S_ISREG(about.st_mode)) refuse(path, kindOf(about.st_mode) + std::string{"; give a regular file"});
+  const auto check = [&](std::size_t size) {
+    if (size > longest) refuse(path, "it is longer than " + std::to_string(longest) + " bytes; is it the right file?");
+  };
+  check(static_cast<std::size_t>(about.st_size));
   std::string text;
+  text.reserve(static_cast<std::size_t>(about.st_size));
   std::array<char, 4096> part{};
   for (;;) {
     const ssize_t size = ::read(file.number, part.data(), part.size());
@@ -53,8 +58,7 @@ std::optional<std::string> readTextFile(const std::string& path, std::size_t lon
     if (size < 0) refuse(path, std::strerror(errno) + std::string{kRemedy});
     if (size == 0) return text;
     text.append(part.data(), static_cast<std::size_t>(size));
-    if (text.size() > longest)  // files of /proc report a size of 0
-      refuse(path, "it is longer than " + std::to_string(longest) + " bytes; is it the right file?");
+    check(text.size());  // files of /proc report a size of 0
   }
 }
 

@@ -5,13 +5,12 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
 #include "experiments/logs/header.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::logs {
 namespace {
@@ -164,18 +163,9 @@ Log parseLog(std::string_view text, const std::string& file) {
 }
 
 Log readLog(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::fopen(path.c_str(), "rb"), &std::fclose};
-  std::string text;
-  std::size_t size = 0;
-  while (file) {
-    text.resize(std::max<std::size_t>(2 * size, 1 << 16));
-    const std::size_t got = std::fread(text.data() + size, 1, text.size() - size, file.get());
-    size += got;
-    if (got == 0) break;
-  }
-  if (!file || std::ferror(file.get()) != 0)
-    throw std::runtime_error("cannot read the log " + path + ": " + std::strerror(errno));
-  return parseLog(std::string_view{text}.substr(0, size), path);
+  const auto text = readTextFile(path, kLongestLog);
+  if (!text) throw std::runtime_error("cannot read " + path + ": " + std::strerror(ENOENT));
+  return parseLog(*text, path);
 }
 
 }  // namespace darwinop::logs

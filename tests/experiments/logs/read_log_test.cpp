@@ -2,20 +2,24 @@
 #include "experiments/logs/read_log.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include "experiments/logs/units.hpp"
+#include "hal/text_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::logs {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -141,14 +145,32 @@ TEST(ReadLog, ListsTheColumnsIfOneIsMissing) {
   }
 }
 
-TEST(ReadLog, RefusesAMissingFileAndAFolder) {
+TEST(ReadLog, RefusesWhatIsNotARegularFile) {
   const TemporaryFolder folder;
-  for (const auto& [path, error_code] : {std::pair{folder / "none.csv", ENOENT}, std::pair{folder / ".", EISDIR}}) try {
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const auto& [path, why] : {std::pair<std::string, std::string>{folder / "none.csv", std::strerror(ENOENT)},
+                                  {folder / ".", kFolderInsteadOfFile},
+                                  {folder / "pipe", kPipeInsteadOfFile},
+                                  {"/dev/zero", kDeviceInsteadOfFile}})
+    try {
       (void)readLog(path);
       FAIL() << path;
     } catch (const std::runtime_error& error) {
-      EXPECT_THAT(error.what(), HasSubstr(path + ": " + std::strerror(error_code)));
+      EXPECT_THAT(error.what(), HasSubstr(path + ": " + why));
     }
+}
+
+TEST(ReadLog, RefusesAFileThatIsTooLong) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "long.csv";
+  std::ofstream{path} << "t_s,a\n";
+  std::filesystem::resize_file(path, kLongestLog + 1);  // sparse: occupies no disk
+  try {
+    (void)readLog(path);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr(path), HasSubstr(std::to_string(kLongestLog))));
+  }
 }
 
 TEST(ReadLog, ReadsAFileOfManyBlocks) {
