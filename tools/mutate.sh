@@ -4,7 +4,7 @@
 # tests, property tests, tests with the virtual robot, 20 000 cycles of the campaign, model check. Appends to RESULTS a line a
 # mutation: name, tab, what detected it, or SURVIVED. Lines that are there are not tried again, so it can be stopped at any
 # time. MOST: so many mutations and no more. `mutate.sh --list` prints them, and fails when a pattern does not match exactly
-# one line. MUTATE_MODEL=0: without the model check.
+# one line: `./dev test scripts` runs it. MUTATE_MODEL=0: without the model check.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 
@@ -86,7 +86,11 @@ old polls count after torque off	safety/joint_guard.cpp	s/if \(!off_ordered_\) s
 torque off and on does not reset a trip	safety/joint_guard.cpp	s/if \(on && limp_\) resetTrip/if (on \&\& limp_ \&\& absent_) resetTrip/
 tripped joint stays engaged	safety/joint_guard.cpp	s/ \|\| limp_ \|\| trip_ != Trip::kNone\)/ || limp_)/
 limp joint stays engaged	safety/joint_guard.cpp	s/ \|\| limp_ \|\| trip_ != Trip::kNone\)/ || trip_ != Trip::kNone)/
-joint left out is driven	safety/joint_guard.cpp	s/never_driven_\{absent_ \|\| config.left_out\[index\(joint\)\]\}/never_driven_{absent_}/
+joint left out is driven	safety/joint_guard.cpp	s/never_driven_\{no_writes_ \|\| config.left_out\[index\(joint\)\]\}/never_driven_{no_writes_}/
+joint without writes is only left out	safety/joint_guard.cpp	s/no_writes_\{absent_ \|\| config.no_writes\[index\(joint\)\]\}/no_writes_{absent_}/
+absent joint gets writes	safety/joint_guard.cpp	s/no_writes_\{absent_ \|\| config/no_writes_{config/
+torque off to a joint without writes	safety/joint_guard.hpp	s/off_due_ = !no_writes_;/off_due_ = true;/
+torque off of a joint without writes is repeated	safety/joint_guard.hpp	s/return off_ordered_ \|\| no_writes_;/return off_ordered_;/
 push at 0.5 to 0.05 rad/s	safety/joint_guard.cpp	s/(kFastEnough = )0.5/\10.05/
 push of a stuck encoder 0.75 to 0.075 N m	safety/encoder_watch.hpp	s/(kPush = )0.75/\10.075/
 stuck encoder 500 to 50 ms	safety/encoder_watch.hpp	s/(kLongEnough\{std::chrono::milliseconds\{)500/\150/

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Shell scripts: their syntax, and shellcheck. What runs on a robot has to be POSIX.
+# Shell scripts: their syntax, and shellcheck. What runs on a robot has to be POSIX. Patterns of tools/mutate.sh.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
@@ -18,3 +18,4 @@ done < <({ sources '*.sh' && sources ':!*.sh' | xargs grep -lE -m 1 '^#!.*[/ ](b
 printf '%s\n' "${scripts[@]}" |
   xargs -P "$(nproc)" -n 20 shellcheck --external-sources --source-path=SCRIPTDIR --exclude=SC1091,SC2016
 shellcheck --exclude=SC1091,SC2016,SC2034,SC2154 "${parts[@]}"
+tools/mutate.sh --list >/dev/null  # a pattern must be in the code that it changes
