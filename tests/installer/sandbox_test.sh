@@ -18,7 +18,7 @@ scenario_installed_unit_is_the_template_and_systemd_accepts_it() {
   expect_status 0
   installed=$ROBOT/etc/systemd/system/darwinop.service
   diff "$unit" "$installed" || fail "another unit was installed"
-  [ -x /usr/bin/systemd-analyze ] || return 0
+  [ -x /usr/bin/systemd-analyze ] || skip "systemd-analyze is not installed (Debian package systemd)"
   sed "s|^ExecStart=.*|ExecStart=/bin/true|" "$installed" >"$LAB/darwinop.service"
   said=$(systemd-analyze verify "$LAB/darwinop.service" 2>&1) || fail "systemd does not accept the unit: $said"
   [ -z "$said" ] || fail "systemd says: $said"
