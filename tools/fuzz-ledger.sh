@@ -4,10 +4,11 @@
 #
 #   fuzz-ledger.sh run LEDGER SECONDS   gives every fuzzer of build/fuzz/bin this many more core seconds, round robin, and
 #                                       adds each slice to LEDGER as soon as it ends; stop it at any time, nothing is lost
+#   fuzz-ledger.sh deep SECONDS         the same with tests/fuzz/ledger.tsv, then renews the table of docs/fuzzing.md
 #   fuzz-ledger.sh add LEDGER OTHER     adds the sums of a ledger that was kept elsewhere (once)
 #   fuzz-ledger.sh print                the table of docs/fuzzing.md
 #
-# Environment of `run`: FUZZ_BUILD (build/fuzz: has bin/, gets corpus/, found/ and logs), FUZZ_SLICE (120: longest slice
+# Environment of `run` and `deep`: FUZZ_BUILD (build/fuzz: has bin/, gets corpus/, found/ and logs), FUZZ_SLICE (120: longest slice
 # in seconds), FUZZ_COMMIT (that of the sources; default: HEAD).
 set -euo pipefail
 work=$PWD
@@ -143,6 +144,11 @@ run() {
   exit $failed
 }
 
+deep() {
+  trap 'tools/pages.sh write . docs/fuzzing.md' EXIT  # however it ends
+  run "$PWD/tests/fuzz/ledger.tsv" "$1"
+}
+
 add() {
   local rows=()
   mapfile -t rows < <(grep -v '^#' "$(absolute "$2")")
@@ -168,6 +174,6 @@ print() {
 }
 
 case ${1:-}:$# in
-  run:3 | add:3 | print:1) "$@" ;;
+  run:3 | deep:2 | add:3 | print:1) "$@" ;;
   *) usage ;;
 esac
