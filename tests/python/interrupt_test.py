@@ -1,20 +1,25 @@
-"""Ctrl-C, and other ends of a Python controller: the robot is brought to rest by the same steps as after one in C++."""
+"""Ctrl-C, and other ends of a Python controller: the robot is brought to rest by the same steps as after one in C++.
+Signals have the effect of the table in docs/threads.md."""
 
+import os
+import pathlib
+import re
+import select
 import signal
 import subprocess
 import sys
 import unittest
 
-from programs import Programs
+from programs import BIN, Programs
 
 HEAD = "import sys, time\nfrom controller import Robot\nrobot = Robot()\nhead = robot.getDevice('Head')\n"
 
 
 class Ends(Programs):
-    def start(self, program, robot="virtual"):
+    def start(self, program, robot="virtual", by=(sys.executable,)):
         """A controller that has printed one line."""
         (self.folder / "c.py").write_text(HEAD + program)
-        running = subprocess.Popen([sys.executable, self.folder / "c.py"], text=True, stdout=subprocess.PIPE,
+        running = subprocess.Popen([*by, self.folder / "c.py"], text=True, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE,
                                    env=dict(self.environment, DARWINOP_ROBOT=robot,
                                             DARWINOP_RECORD=str(self.folder / "r.csv")))
@@ -69,12 +74,40 @@ class Ends(Programs):
             self.assertEqual(running.returncode, status)
             self.check_rest()
 
-    def test_sigterm_ends_it_as_in_cpp(self):
-        running = self.start("print('ready')\nwhile robot.step(16) != -1:\n    pass\n")
-        running.terminate()
-        running.communicate(timeout=30)
-        self.assertEqual(running.returncode, 0)
-        self.check_rest()
+    def signals(self, pattern):
+        """From docs/threads.md, which another test compares with hal/signals.hpp."""
+        page = (pathlib.Path(__file__).parents[2] / "docs/threads.md").read_text(encoding="utf-8")
+        return [getattr(signal, name) for text in re.findall(pattern, page) for name in re.findall(r"SIG\w+", text)]
+
+    def test_each_ending_signal_ends_it_as_in_cpp(self):
+        ending = self.signals(r"\n\| SIG\w+ \| ends normally \|")
+        self.assertIn(signal.SIGPWR, ending)
+        for number in ending:
+            with self.subTest(number.name):
+                running = self.start("print('ready')\nwhile robot.step(16) != -1:\n    pass\n")
+                running.send_signal(number)
+                _, errors = running.communicate(timeout=30)
+                self.assertEqual(running.returncode, 0, errors)
+                self.check_rest()
+
+    def test_signals_without_effect_leave_it_driving_by_itself_and_under_run(self):
+        harmless = self.signals(r"\nNo effect:[^.]*") + [signal.SIGRTMIN, signal.SIGRTMAX]
+        self.assertIn(signal.SIGTSTP, harmless)
+        program = (f"import os\nos.chdir({str(self.folder)!r})\nprint('ready')\nprint(os.getpid())\nwhile robot.step(16) != -1:\n"
+                   "    if os.path.exists('asked'):\n        os.rename('asked', 'answered')\n        print('drives')\n")
+        for by in ((sys.executable,), (BIN / "darwinop", "run", "--robot", "virtual")):
+            with self.subTest(by[0].name if by[1:] else "python"):
+                running = self.start(program, by=by)
+                for process in {running.pid, int(running.stdout.readline())}:
+                    for number in harmless:
+                        os.kill(process, number)
+                (self.folder / "asked").touch()
+                self.assertTrue(select.select([running.stdout], [], [], 30)[0], "it is stopped")
+                self.assertEqual(running.stdout.readline(), "drives\n")
+                running.terminate()
+                _, errors = running.communicate(timeout=30)
+                self.assertEqual(running.returncode, 0, errors)
+                self.check_rest()
 
     def test_a_robot_that_is_not_there_ends_the_program_with_its_open_files_written(self):
         (self.folder / "c.py").write_text("f = open('log', 'w')\nf.write('kept')\n" + HEAD)
