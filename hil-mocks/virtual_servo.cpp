@@ -25,6 +25,7 @@ VirtualServo::VirtualServo(Joint joint, const ServoOptions& options)
     : BusDevice{kServoLayout},
       joint_{joint},
       keeps_torque_{options.keeps_torque},
+      torque_by_goal_{options.torque_by_goal},
       missing_{options.missing},
       position_{row(joint).start} {
   table_.setByte(servo::kId, options.id == 0 ? row(joint).id : options.id);
@@ -120,7 +121,7 @@ void VirtualServo::write(std::uint8_t address, Bytes data) {
   if (was_locked) table_.setByte(kLock, 1);  // only a power cycle unlocks
   if (keeps_torque_ && before.torque_enable) table_.setByte(servo::kTorqueEnable, 1);
   // Protocol 1 servos enable torque automatically on a goal write.
-  if (address <= servo::kGoalPosition && address + data.size() > servo::kGoalPosition)
+  if (torque_by_goal_ && address <= servo::kGoalPosition && address + data.size() > servo::kGoalPosition)
     table_.setByte(servo::kTorqueEnable, 1);
   updateDrive();
   if (observer_ != nullptr) observer_->written(joint_, address, data, before, state());

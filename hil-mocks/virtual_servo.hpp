@@ -18,7 +18,8 @@ struct ServoOptions {
   std::uint8_t firmware = 36, return_delay = 0, status_level = 2;
   std::uint8_t baud = 1;  // the bus runs at 1 Mbaud; with another value the servo is unreachable
   bool missing = false;
-  bool keeps_torque = false;  // once on, torque ends with the supply only: a defect, or writes that do not arrive
+  bool keeps_torque = false;   // once on, torque ends with the supply only: a defect, or writes that do not arrive
+  bool torque_by_goal = true;  // a goal write switches torque on, as in an MX-28; false: its switch only
   std::uint16_t model = find(kMx28, "model").reset;
   // Registers 6, 8 and 14. Both limits 0: wheel mode; both 4095: multi-turn mode.
   std::uint16_t cw_limit = 0, ccw_limit = kTickMax, max_torque = 1023;
@@ -86,7 +87,7 @@ class VirtualServo : public BusDevice {
 
   Joint joint_;
   ServoObserver* observer_ = nullptr;
-  const bool keeps_torque_;
+  const bool keeps_torque_, torque_by_goal_;
   bool missing_, dead_ = false, powered_ = false;
   bool goal_refused_ = false, overloaded_ = false;
   std::uint8_t injected_errors_ = 0;

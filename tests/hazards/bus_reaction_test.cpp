@@ -49,12 +49,14 @@ TEST_F(Reaction, ALostTorqueOffIsRepeated) {
 }
 
 TEST_F(ReactionAtStart, ALostTorqueOnIsRepeated) {
+  hil::BoardOptions options;
+  for (hil::ServoOptions& servo : options.servo) servo.torque_by_goal = false;  // else the next goal would do
+  HazardRig switched{options};
   bool lost = false;
-  rig.losing.lost = [&](Bytes frame) { return writes(frame, servo::kTorqueEnable) && !std::exchange(lost, true); };
-  rig.cyclesUntil([&] { return lost; });
-  // The goal that was placed before switches torque on; not in a servo that needs the switch.
-  for (std::size_t i = 0; i < kJoints; ++i) rig.poke(static_cast<Joint>(i), servo::kTorqueEnable, {0});
-  measure([this] { return rig.torqueCount() == kJoints; }, 60);
+  switched.losing.lost = [&](Bytes frame) { return writes(frame, servo::kTorqueEnable) && !std::exchange(lost, true); };
+  switched.cyclesUntil([&] { return lost; });
+  measure(
+      switched, [&] { return switched.torqueCount() == kJoints; }, 60);
 }
 
 TEST_F(ReactionAtStart, TorqueWaitsForAGoalThatArrives) {
