@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "support/text_of.hpp"
@@ -17,20 +19,40 @@ namespace fs = std::filesystem;
 
 using Files = std::set<std::string>;
 
+const fs::path kRoot{DARWINOP_SOURCE_TREE};
+
+/// Top-level folders of the product: those of the table of rooms, whose rows begin with floor and path, and the
+/// examples. Not the virtual robot, which is the other end of the line.
+std::set<std::string> productFolders() {
+  std::ifstream table{kRoot / "tools/cmake/rooms.table"};
+  std::set<std::string> folders{"controllers"};
+  for (std::string line, path; std::getline(table, line);) {
+    int floor = 0;
+    char bar = 0;
+    if (std::istringstream{line} >> floor >> bar >> path) folders.insert(fs::path{path}.begin()->string());
+  }
+  folders.erase("hil-mocks");
+  return folders;
+}
+
 /// Product files, relative to the source tree, that contain one of these texts.
 Files filesWith(std::initializer_list<const char*> texts) {
-  const fs::path root{DARWINOP_SOURCE_TREE};
   Files found;
-  for (const char* room : {"apps", "connect", "controllers", "core", "experiments", "gap", "hal", "managers", "monitor",
-                           "remote", "runtime", "safety", "supervisor", "twin", "webots", "window"})
-    for (const auto& entry : fs::recursive_directory_iterator{root / room}) {
+  for (const std::string& room : productFolders())
+    for (const auto& entry : fs::recursive_directory_iterator{kRoot / room}) {
       const fs::path path = entry.path();
       if (path.extension() != ".cpp" && path.extension() != ".hpp") continue;
       const std::string source = textOf(path.string());
       if (std::ranges::any_of(texts, [&](const char* text) { return source.find(text) != source.npos; }))
-        found.insert(path.lexically_relative(root).string());
+        found.insert(path.lexically_relative(kRoot).string());
     }
   return found;
+}
+
+TEST(EntryPoints, EveryRoomIsSearched) {
+  const std::set<std::string> folders = productFolders();
+  for (const char* room : {"apps", "connect", "controllers", "hal", "python", "supervisor", "window"})
+    EXPECT_TRUE(folders.contains(room)) << room;
 }
 
 TEST(EntryPoints, NothingWritesToASerialLineButWhatHasJudgedTheRobot) {
