@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # robot_vm_pid_test.sh own|foreign: tools/robot-vm.sh signals a process only if its pid file and the process are its user's,
-# and the file is no link. `foreign` needs root, which can become another user.
+# and the file is not a link. `foreign` needs root, which can become another user.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
 folder=$(mktemp -d)
