@@ -24,7 +24,7 @@ namespace {
 using namespace darwinop::experiments;
 
 int list() {
-  int status = kDone;
+  int status = kExitDone;
   const std::vector<std::string> files = experimentFiles();
   for (const std::string& file : files) try {
       const Experiment experiment = readExperiment(file);
@@ -37,7 +37,7 @@ int list() {
                                  : "");
     } catch (const std::exception& wrong) {
       std::cerr << "darwinop experiment: " << wrong.what() << '\n';
-      status = kWrong;
+      status = kExitWrong;
     }
   if (files.empty()) throw std::runtime_error("no experiments found in " + experimentFolders().back());
   return status;
@@ -46,7 +46,7 @@ int list() {
 int show(const std::string& name) {
   const Experiment experiment = readExperiment(findExperiment(name));
   std::cout << planText(experiment, makePlan(experiment, darwinop::safety::hardRanges()));
-  return kDone;
+  return kExitDone;
 }
 
 void describeRun(CLI::App& app, ExperimentRequest& a) {
@@ -94,7 +94,7 @@ int command(int count, char** arguments) {
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& mistake) {
-    return app.exit(mistake) == 0 ? 0 : kWrong;
+    return app.exit(mistake) == 0 ? 0 : kExitWrong;
   }
   if (lists.parsed()) return list();
   if (shows.parsed()) return show(a.experiment);
@@ -115,6 +115,6 @@ int main(int count, char** arguments) {
     return command(count, arguments);
   } catch (const std::exception& error) {
     std::cerr << "darwinop experiment: " << error.what() << '\n';
-    return kWrong;
+    return kExitWrong;
   }
 }

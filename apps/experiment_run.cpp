@@ -61,20 +61,20 @@ int reportEnd(RunOutcome outcome, const std::string& record) {
   switch (outcome) {
     case RunOutcome::kStopped:
       std::cerr << "stopped on request; the recording contains the data until then\n";
-      return kStopped;
+      return kExitStopped;
     case RunOutcome::kEnded:
       std::cerr << "the experiment was ended by the robot, see above\n";
-      return kEnded;
+      return kExitEnded;
     case RunOutcome::kFell:
       std::cerr << "the robot fell before the first pose; nothing was measured. Set it upright on level floor, "
                    "in its start pose, and try again\n";
-      return kEnded;
+      return kExitEnded;
     case RunOutcome::kFellIn:
       std::cerr << "unexpected fall: the experiment was ended, and the recording is invalid from "
                    "the fall on\n";
-      return kEnded;
+      return kExitEnded;
     default:
-      return kDone;
+      return kExitDone;
   }
 }
 
@@ -90,7 +90,7 @@ int run(ExperimentRequest a) {
     std::cerr << "darwinop experiment: this moves a real robot, as shown above. Make sure that nothing is in its way "
                  "and that "
                  "a person holds it, then add --yes\n";
-    return kNeedsYes;
+    return kExitNeedsYes;
   }
   if (connect::loopIsElsewhere(robot) && !a.no_record)
     throw std::runtime_error(

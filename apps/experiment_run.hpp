@@ -15,7 +15,7 @@ struct ExperimentRequest {
 };
 
 // Exit statuses, docs/experiments.md.
-inline constexpr int kDone = 0, kEnded = 1, kWrong = 2, kNeedsYes = 3, kStopped = 130;
+inline constexpr int kExitDone = 0, kExitEnded = 1, kExitWrong = 2, kExitNeedsYes = 3, kExitStopped = 130;
 
 /// Throws std::runtime_error before anything moves.
 int run(ExperimentRequest a);
