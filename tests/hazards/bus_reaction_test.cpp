@@ -56,7 +56,7 @@ TEST_F(ReactionAtStart, ALostTorqueOnIsRepeated) {
   switched.losing.lost = [&](Bytes frame) { return writes(frame, servo::kTorqueEnable) && !std::exchange(lost, true); };
   switched.cyclesUntil([&] { return lost; });
   measure(
-      switched, [&] { return switched.torqueCount() == kJoints; }, 60);
+      switched, [&] { return switched.torqueCount() == kJoints; }, 8);
 }
 
 TEST_F(ReactionAtStart, TorqueWaitsForAGoalThatArrives) {
