@@ -18,6 +18,7 @@
 #include "hal/cm730/diagnosis/port_check.hpp"
 #include "hal/cm730/pty.hpp"
 #include "runtime/child.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::cm730 {
 namespace {
@@ -114,12 +115,15 @@ TEST(OpenSerial, RejectsAPortInUseAndNamesTheProcess) {
 }
 
 TEST(OpenSerial, EscapesTheNameThatTheProcessAtThePortGaveItself) {
-  const Pty pty;
+  const TemporaryFolder folder;
   const runtime::Child other{[&] {
     prctl(PR_SET_NAME, "\x1b[2Jfree");
+    static const Pty pty;  // not in this process, which would be named
     (void)openSerial(pty.path());
+    std::ofstream{folder / "path"} << pty.path();
   }};
-  const std::string said = explain(pty.path(), openSerial(pty.path()));
+  const std::string path = textOf(folder / "path");
+  const std::string said = explain(path, openSerial(path));
   EXPECT_THAT(said, HasSubstr(std::to_string(other.pid()) + " (\\x1b[2Jfree)"));
   EXPECT_THAT(said, testing::Not(HasSubstr("\x1b")));
 }
