@@ -183,18 +183,23 @@ TEST_P(EndSignal, EndsARunAndItsControllerWithTheRobotAtRest) {
 }
 
 bool hasStarted(const std::string& output) {
-  return std::ranges::any_of(std::array{"ready:", "body:", "http://"},
+  return std::ranges::any_of(std::array{"ready:", "body:", "http://", "camera:", "port:"},
                              [&](const char* text) { return output.find(text) != std::string::npos; });
 }
 
 TEST_P(EndSignal, EndsTheOtherProgramsNormally) {
   startDaemon();
-  const std::vector<std::vector<std::string>> all{{program("darwinop-remote"), "--robot", "runtime", "--port", "0"},
-                                                  {program("darwinop-monitor"), "--port", "0"},
+  const std::vector<std::vector<std::string>> all{
+      {program("darwinop-remote"), "--robot", "runtime", "--port", "0"},
+      {program("darwinop-monitor"), "--port", "0"},
 #ifdef DARWINOP_WITH_WINDOW
-                                                  window(),
+      window(),
 #endif
-                                                  {program("darwinop-virtual-robot"), "--link", file("other")}};
+#ifdef DARWINOP_WITH_TWIN
+      {program("darwinop-twin"), "view", "--record", file("film"), "--size", "32x32", "--fps", "5"},
+      {program("darwinop-virtual-camera"), "--file", file("frames")},
+#endif
+      {program("darwinop-virtual-robot"), "--link", file("other")}};
   for (const std::vector<std::string>& command : all) {
     Program one{command, file("one")};
     ASSERT_TRUE(within(seconds{20}, [&] { return hasStarted(one.output()); })) << command[0] << one.output();
@@ -202,7 +207,7 @@ TEST_P(EndSignal, EndsTheOtherProgramsNormally) {
     sendAllWithoutEffect(
         one, command[0].ends_with("robot") ? std::initializer_list<int>{SIGUSR1} : std::initializer_list<int>{});
     one.kill(GetParam());
-    EXPECT_EQ(one.wait(seconds{10}), 0) << command[0] << one.output();
+    EXPECT_EQ(one.wait(seconds{20}), 0) << command[0] << one.output();
   }
 }
 
