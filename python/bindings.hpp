@@ -54,10 +54,12 @@ inline void constants(const py::handle& type, std::initializer_list<std::pair<co
 
 void bindProperties(py::module_& module);  // first
 void bindRobot(py::module_& module);
+void bindScene(py::module_& module);    // Node, Field, Proto
 void bindDevices(py::module_& module);  // Device, LED, TouchSensor, Accelerometer, Gyro; before those below
 void bindMotors(py::module_& module);
 void bindCamera(py::module_& module);
 void bindKeyboard(py::module_& module);
+void bindPointers(py::module_& module);  // Joystick, Mouse
 void bindSpeaker(py::module_& module);
 void bindMotion(py::module_& module);
 void bindManagers(py::module_& module);

@@ -73,6 +73,31 @@ void bindOptics(CameraClass& camera) {
   reads(camera, "getMaxFocalDistance", &Camera::getMaxFocalDistance);
 }
 
+/// Recognition and range images exist in simulation only.
+void bindSimulatorOnly(CameraClass& camera) {
+  camera.def("hasRecognition", &Camera::hasRecognition, kQuick);
+  camera.def("recognitionEnable", &Camera::recognitionEnable, py::arg("sampling_period"), kQuick);
+  camera.def("recognitionDisable", &Camera::recognitionDisable, kQuick);
+  reads(camera, "getRecognitionSamplingPeriod", &Camera::getRecognitionSamplingPeriod);
+  reads(camera, "getRecognitionNumberOfObjects", &Camera::getRecognitionNumberOfObjects);
+  reads(camera, "getRecognitionObjects", [](const Camera&) { return py::list{}; });
+  camera.def("hasRecognitionSegmentation", &Camera::hasRecognitionSegmentation, kQuick);
+  camera.def("enableRecognitionSegmentation", &Camera::enableRecognitionSegmentation, kQuick);
+  camera.def("disableRecognitionSegmentation", &Camera::disableRecognitionSegmentation, kQuick);
+  camera.def("isRecognitionSegmentationEnabled", &Camera::isRecognitionSegmentationEnabled, kQuick);
+  reads(camera, "getRecognitionSegmentationImage", [](const Camera&) { return py::none{}; });
+  camera.def("saveRecognitionSegmentationImage", &Camera::saveRecognitionSegmentationImage, py::arg("filename"),
+             py::arg("quality"), kQuick);
+  reads(camera, "getRangeImage", [](const Camera&) { return py::none{}; });
+  reads(camera, "getMaxRange", &Camera::getMaxRange);
+  camera.def_static(
+      "rangeImageGetDepth",
+      [](const py::sequence& image, py::size_t width, py::size_t x, py::size_t y) {
+        return py::object{image[y * width + x]};
+      },
+      py::arg("image"), py::arg("width"), py::arg("x"), py::arg("y"));
+}
+
 }  // namespace
 
 void bindCamera(py::module_& module) {
@@ -85,8 +110,7 @@ void bindCamera(py::module_& module) {
   reads(camera, "getType", &Camera::getType);
   bindOptics(camera);
   camera.def("saveImage", &Camera::saveImage, py::arg("filename"), py::arg("quality"), kQuick);
-  camera.def("hasRecognition", &Camera::hasRecognition, kQuick);
-  camera.def("hasRecognitionSegmentation", &Camera::hasRecognitionSegmentation, kQuick);
+  bindSimulatorOnly(camera);
   camera.def_static("checkResolution", &Camera::checkResolution, py::arg("width"), py::arg("height"));
   bindColour<&Camera::imageGetRed>(camera, "imageGetRed");
   bindColour<&Camera::imageGetGreen>(camera, "imageGetGreen");

@@ -2,7 +2,6 @@
 #include <webots/Accelerometer.hpp>
 #include <webots/Gyro.hpp>
 #include <webots/LED.hpp>
-#include <webots/Node.hpp>
 #include <webots/TouchSensor.hpp>
 
 #include "python/bindings.hpp"
@@ -31,25 +30,9 @@ void bindThreeAxes(py::module_& module, const char* name) {
   reads(sensor, "getLookupTableSize", &Sensor::getLookupTableSize);
 }
 
-void bindNode(py::module_& module) {
-  const py::class_<Node, std::unique_ptr<Node, py::nodelete>> node{module, "Node"};
-  constants(node, {{"NO_NODE", Node::NO_NODE},
-                   {"ROBOT", Node::ROBOT},
-                   {"ACCELEROMETER", Node::ACCELEROMETER},
-                   {"CAMERA", Node::CAMERA},
-                   {"GYRO", Node::GYRO},
-                   {"LED", Node::LED},
-                   {"POSITION_SENSOR", Node::POSITION_SENSOR},
-                   {"ROTATIONAL_MOTOR", Node::ROTATIONAL_MOTOR},
-                   {"SPEAKER", Node::SPEAKER},
-                   {"TOUCH_SENSOR", Node::TOUCH_SENSOR}});
-}
-
 }  // namespace
 
 void bindDevices(py::module_& module) {
-  bindNode(module);
-
   DeviceClass<Device> device{module, "Device", py::dynamic_attr()};
   reads(device, "getName", &Device::getName);
   reads(device, "getModel", &Device::getModel);
@@ -64,6 +47,12 @@ void bindDevices(py::module_& module) {
   DeviceClass<TouchSensor, Device> button{module, "TouchSensor", py::dynamic_attr()};
   isSampled(button, &TouchSensor::enable, &TouchSensor::disable, &TouchSensor::getSamplingPeriod);
   reads(button, "getValue", &TouchSensor::getValue);
+  reads(button, "getValues", [](const TouchSensor& self) {
+    self.getValues();  // warns
+    return py::none{};
+  });
+  reads(button, "getLookupTableSize", &TouchSensor::getLookupTableSize);
+  reads(button, "getLookupTable", [](const TouchSensor&) { return py::list{}; });
   reads(button, "getType", [](const TouchSensor& self) { return static_cast<int>(self.getType()); });
   constants(button,
             {{"BUMPER", TouchSensor::BUMPER}, {"FORCE", TouchSensor::FORCE}, {"FORCE3D", TouchSensor::FORCE3D}});

@@ -57,6 +57,9 @@ void bindProperties(py::module_& module) {
             return object.is_none() ? self : self.cast<Reading&>().getter(object);
           },
           py::arg("object").none(true), py::arg("type") = py::none());
+  module.def(
+      "add_property", [](const py::object& type, const std::string& getter) { addProperty(type, getter); },
+      py::arg("type"), py::arg("getter"));
 }
 
 }  // namespace darwinop::python

@@ -2,8 +2,10 @@
 #include <webots/Accelerometer.hpp>
 #include <webots/Camera.hpp>
 #include <webots/Gyro.hpp>
+#include <webots/Joystick.hpp>
 #include <webots/Keyboard.hpp>
 #include <webots/LED.hpp>
+#include <webots/Mouse.hpp>
 #include <webots/PositionSensor.hpp>
 #include <webots/Robot.hpp>
 #include <webots/Servo.hpp>
@@ -61,6 +63,8 @@ void bindDeviceGetters(Class& robot) {
   robot.def("getDeviceByIndex", &Robot::getDeviceByIndex, py::arg("index"), kQuick, py::return_value_policy::reference);
   reads(robot, "getNumberOfDevices", &Robot::getNumberOfDevices);
   reads(robot, "getKeyboard", &Robot::getKeyboard);
+  reads(robot, "getJoystick", &Robot::getJoystick);
+  reads(robot, "getMouse", &Robot::getMouse);
 }
 
 template <class Class>
@@ -88,6 +92,9 @@ void bindSimulatorOnly(Class& robot) {
       },
       py::arg("event_type"), py::arg("timeout"), kQuick);
   robot.def("wwiSendText", &Robot::wwiSendText, py::arg("text"), kQuick);
+  robot.def(
+      "windowCustomFunction", [](Robot& self, const py::object&) { self.windowCustomFunction(nullptr); },
+      py::arg("arg") = py::none(), kQuick);
   robot.def("wwiReceiveText", &Robot::wwiReceiveText, kQuick);
 }
 

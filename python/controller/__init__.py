@@ -5,6 +5,7 @@ from _darwinop import *
 from .absent import *
 from .absent import add_getters as _add_getters
 from .ansi_codes import AnsiCodes
-from .robot import Robot, Supervisor
+from .robot import Robot
+from .supervisor import Supervisor
 
 _add_getters(Robot)

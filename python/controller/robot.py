@@ -61,7 +61,3 @@ class Robot(_darwinop.ConnectedRobot):
     def __exit__(self, *_):
         """Ends the session: the robot is brought to rest."""
         _darwinop.end_session()
-
-
-class Supervisor(Robot):
-    """A Robot: a robot has no supervisor API, getSupervisor() is False."""

@@ -1,6 +1,9 @@
 """Classes, names and values of the module, on a virtual robot in this process."""
 
+import math
 import os
+import subprocess
+import sys
 import tempfile
 import threading
 import unittest
@@ -29,6 +32,11 @@ class Api(unittest.TestCase):
         self.assertEqual([robot.getDevice(name).getTag() for name in names], list(range(1, len(names) + 1)))
         self.assertIsNone(robot.getDeviceByIndex(len(names)))
 
+    def test_a_button_has_one_value(self):
+        button = robot.getDevice("ButtonMode")
+        self.assertIsNone(button.getValues())
+        self.assertEqual((button.lookup_table, button.lookup_table_size), ([], 0))
+
     def test_a_device_that_is_missing_is_none(self):
         self.assertIsNone(robot.getDevice("gps"))
         self.assertIsNone(robot.getMotor("NeckS"))
@@ -42,6 +50,24 @@ class Api(unittest.TestCase):
     def test_getters_of_devices_that_the_robot_lacks_return_none(self):
         for name in ("GPS", "Compass", "Display", "DistanceSensor", "Receiver", "InertialUnit"):
             self.assertIsNone(getattr(robot, "get" + name)("Neck"))
+
+    def test_a_joystick_and_a_mouse_of_the_controllers_own_are_not_connected(self):
+        for joystick in (controller.Joystick(), robot.getJoystick()):
+            joystick.enable(16)
+            self.assertEqual((joystick.sampling_period, joystick.isConnected(), joystick.number_of_axes), (16, False, 0))
+            self.assertEqual(joystick.getPressedButton(), -1)
+        for mouse in (controller.Mouse(), robot.getMouse()):
+            mouse.enable(32)
+            state = mouse.getState()
+            self.assertEqual((mouse.sampling_period, state.left), (32, False))
+            self.assertTrue(math.isnan(state.u) and math.isnan(state.z))
+
+    def test_recognition_of_objects_finds_none(self):
+        camera = robot.getDevice("Camera")
+        camera.recognitionEnable(16)
+        self.assertEqual((camera.getRecognitionObjects(), camera.recognition_number_of_objects), ([], 0))
+        self.assertIsNone(camera.getRecognitionSegmentationImage())
+        self.assertEqual(controller.Camera.rangeImageGetDepth([0.5, 1, 1.5, 2], 2, 1, 1), 2)
 
     def test_properties_have_both_spellings_and_set_what_the_setter_sets(self):
         neck = robot.getDevice("Neck")
@@ -167,6 +193,31 @@ class Api(unittest.TestCase):
             for maker in ("RobotisOp2", "DARwInOP"):
                 self.assertTrue(hasattr(managers, f"{maker}{kind}Manager"))
         self.assertFalse(managers.RobotisOp2GaitManager(None, "config.ini").isCorrectlyInitialized())
+
+    def test_a_supervisor_is_a_robot_whose_calls_warn_once(self):
+        script = """
+from controller import Robot, Supervisor
+supervisor = Supervisor()
+assert isinstance(supervisor, Robot) and Supervisor.getSupervisorInstance() is supervisor
+assert not supervisor.getSupervisor() and supervisor.step(16) == 0
+for _ in range(2):
+    assert supervisor.getFromDef("BALL") is None and supervisor.root is None
+    assert supervisor.worldSave() is False and supervisor.movieIsReady() is True
+    assert supervisor.simulationGetMode() == Supervisor.SIMULATION_MODE_REAL_TIME
+"""
+        process = subprocess.run([sys.executable, "-c", script], stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        for call in ("getFromDef", "getRoot", "worldSave", "movieIsReady", "simulationGetMode"):
+            self.assertEqual(process.stderr.count(f"Supervisor::{call}()"), 1, process.stderr)
+
+    def test_the_walk_has_parameters_that_are_checked(self):
+        gait = managers.RobotisOp2GaitManager(robot, "missing.ini")
+        parameters = gait.getParameters()
+        parameters.foot_height = 30
+        self.assertTrue(gait.setParameters(parameters))
+        parameters.foot_height = 1000
+        self.assertFalse(gait.setParameters(parameters))
+        self.assertEqual(gait.getParameters().foot_height, 30)
 
     def test_a_second_robot_is_refused(self):
         self.assertIs(Robot.created, robot)
