@@ -34,13 +34,14 @@ class DARwInOPMotionManager {
   DARwInOPMotionManager& operator=(const DARwInOPMotionManager& other);
   virtual ~DARwInOPMotionManager();
 
-  /// False: there is no robot, the named file is missing, or it is not a motion file (logged with byte or line). Nothing
-  /// will be played. A damaged page of a binary file, such as one with a wrong checksum, is logged and counts as empty.
+  /// False: there is no robot, the named file is missing, or it is not a motion file (logged with byte or line).
+  /// Nothing will be played. A damaged page of a binary file, such as one with a wrong checksum, is logged and counts
+  /// as empty.
   bool isCorrectlyInitialized();
   /// Plays page `id`, 1 to 255. `sync`: blocks, calling Robot::step() with the basic time step, until the page and the
-  /// pages that follow it have ended, or until step() returns -1. Not `sync`: returns at once, and Robot::step() plays it, or step() once that was called.
-  /// A first pose that is far away is approached slowly before the page starts. An empty page, and a page while another
-  /// one is played, are refused with one warning.
+  /// pages that follow it have ended, or until step() returns -1. Not `sync`: returns at once, and Robot::step() plays
+  /// it, or step() once that was called. A first pose that is far away is approached slowly before the page starts. An
+  /// empty page, and a page while another one is played, are refused with one warning.
   void playPage(int id, bool sync = true);
   /// Continues a page that was not started with `sync` by `ms` ms, as in the simulator; from the first call on
   /// Robot::step() no longer does, so call it before each one. Code of the robot, which has no such call, needs none:
