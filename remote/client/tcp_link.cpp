@@ -78,7 +78,7 @@ bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
     step_ = static_cast<Nanos::rep>(cycle - stepped_to_) * server_.period;
     stepped_to_ = cycle;
   }
-  while (isRunning(stop)) {
+  while (!stop.load() && why_ended_.empty()) {  // a stop is no end: the last steps of a walk may follow
     if (shown_.cycle >= cycle) return true;
     if (connection_.state() != Connection::State::kOpen)
       reconnect();
@@ -121,7 +121,7 @@ void TcpLink::take(const Reply& reply) {
     server_.extended = false;
     takeLegacy(reply, before);
   } else if (!reply.extension->why_ended.empty()) {
-    end(text::printableLines(reply.extension->why_ended));
+    why_ended_ = text::printableLines(reply.extension->why_ended);
     return connection_.close("");
   } else if (reply.extension->seen != nullptr) {
     takeImage(*reply.extension, before);
@@ -192,16 +192,6 @@ void TcpLink::checkSpeed(const Reply& reply) {
                                            .picture = reply.jpeg.size(),
                                            .size = reply.jpeg.empty() ? std::nullopt : pictures_.size()});
   if (!message.empty()) log(message);
-}
-
-bool TcpLink::isRunning(const std::atomic<bool>& stop) {
-  if (stop.load()) return end("the controller was asked to stop");
-  return why_ended_.empty();
-}
-
-bool TcpLink::end(const std::string& why) {
-  why_ended_ = why;
-  return false;
 }
 
 std::unique_ptr<FrameSource> TcpLink::openCamera(int /*width*/, int /*height*/) {

@@ -84,8 +84,6 @@ class TcpLink final : public runtime::RobotLink {
   [[nodiscard]] Nanos expected(std::uint64_t cycle) const;
   [[nodiscard]] std::uint64_t cyclesOnTheWay(std::uint64_t cycle, Nanos held) const;
   [[nodiscard]] Nanos replyGrace() const;
-  [[nodiscard]] bool isRunning(const std::atomic<bool>& stop);
-  bool end(const std::string& why);
   void log(const std::string& message) const;
   [[nodiscard]] std::string name() const;
 

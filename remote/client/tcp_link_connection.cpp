@@ -86,8 +86,8 @@ void TcpLink::reconnect() {
   const Nanos now = clock_.now();
   detectLoss();
   if (now - loss_.since.value_or(now) > options_.reconnect_timeout) {
-    end("the connection to " + name() + " was lost " + text::inSeconds(options_.reconnect_timeout) +
-        messages::kNotRestored + connection_.why());
+    why_ended_ = "the connection to " + name() + " was lost " + text::inSeconds(options_.reconnect_timeout) +
+                 messages::kNotRestored + connection_.why();
     return;
   }
   if (connection_.state() == Connection::State::kConnecting) {

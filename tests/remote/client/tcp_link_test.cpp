@@ -380,7 +380,7 @@ TEST_F(TcpLinkTest, EndsWhenReconnectingTimesOut) {
   EXPECT_THAT(tcp->whyEnded(), HasSubstr(messages::kNotRestored));
 }
 
-TEST_F(TcpLinkTest, EndsAtOnceOnRequest) {
+TEST_F(TcpLinkTest, EndsAWaitAtOnceOnRequestAndThenWaitsForTheLastSteps) {
   ScriptedRobot robot;
   robot.real_time = true;
   ScriptedServer server{std::ref(robot)};
@@ -388,6 +388,8 @@ TEST_F(TcpLinkTest, EndsAtOnceOnRequest) {
   robot.silent = true;
   const std::atomic<bool> stop{true};
   EXPECT_FALSE(tcp->waitForCycle(tcp->sensors().cycle + 100'000, stop));
+  robot.silent = false;
+  EXPECT_TRUE(stepOf(*tcp)) << tcp->whyEnded();
 }
 
 }  // namespace
