@@ -41,6 +41,19 @@ TEST_F(EndOfWalk, AfterCtrlCTheLastStepReturnsInTheStance) {
   }
 }
 
+TEST_F(EndOfWalk, CtrlCDuringAStepReturnsFromItInTheStance) {
+  for (int moment = 0; moment < 38; moment += 3) {
+    stop = false;
+    manager_.reset();
+    end();
+    walkInto(moment);
+    fake.during_wait = [this] { stop = true; };
+    manager().step(16);
+    EXPECT_EQ(robot().step(16), -1);
+    EXPECT_EQ(goals(), gait::kStanding.tick) << moment;
+  }
+}
+
 TEST_F(EndOfWalk, AControllerThatReturnsFromMainEndsInTheStance) {
   walkInto(7);
   end();  // ~Robot, as exit() and an uncaught exception

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <csignal>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,8 +25,8 @@ struct FakeRobot {
   bool gone = false;    // the daemon died
   bool ending = false;  // the daemon is requested to end: one wait is in vain
   bool end_of_session = false;
-  bool real_time = true;       // the controller's process hosts the loop; false: lockstep
-  int signal_during_wait = 0;  // raised once, inside waitForCycle
+  bool real_time = true;              // the controller's process hosts the loop; false: lockstep
+  std::function<void()> during_wait;  // called once, inside waitForCycle: raises a signal, or requests a stop
 
   FakeRobot() {
     image.safety.state = State::kDriven;
@@ -68,7 +67,7 @@ class FakeLink : public runtime::RobotLink {
   }
 
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override {
-    if (robot_.signal_during_wait != 0) std::raise(std::exchange(robot_.signal_during_wait, 0));
+    if (robot_.during_wait) std::exchange(robot_.during_wait, nullptr)();
     if (stop || robot_.gone || std::exchange(robot_.ending, false)) return false;
     while (robot_.finished() < cycle) {
       robot_.now = static_cast<std::int64_t>(robot_.finished() + 1) * robot_.period + robot_.bus_time;

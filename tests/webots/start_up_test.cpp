@@ -123,7 +123,7 @@ TEST_F(StartUp, AFailedStartCanBeCaught) {
 TEST_F(StartUp, CtrlCMakesStepReturnMinusOne) {
   webots::Robot robot;
   EXPECT_EQ(robot.step(16), 0);
-  fake_.signal_during_wait = SIGINT;
+  fake_.during_wait = [] { std::raise(SIGINT); };
   EXPECT_EQ(robot.step(16), -1);
 }
 
