@@ -78,7 +78,7 @@ bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
     step_ = static_cast<Nanos::rep>(cycle - stepped_to_) * server_.period;
     stepped_to_ = cycle;
   }
-  while (!stop.load() && why_ended_.empty()) {  // a stop is no end: the last steps of a walk may follow
+  while (!stop.load() && why_ended_.empty()) {  // after a stop the last steps of a walk may follow
     if (shown_.cycle >= cycle) return true;
     if (connection_.state() != Connection::State::kOpen)
       reconnect();
