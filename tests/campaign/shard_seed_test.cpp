@@ -18,7 +18,7 @@ std::size_t sharedShards(const std::vector<std::uint64_t>& seeds) {
     for (std::uint64_t shard = 0; shard < kShards; ++shard) all.push_back(shardSeed(seed, shard));
   std::ranges::sort(all);
   const auto last = std::unique(all.begin(), all.end());
-  return seeds.size() * kShards - static_cast<std::size_t>(last - all.begin());
+  return all.size() - static_cast<std::size_t>(last - all.begin());
 }
 
 std::vector<std::uint64_t> consecutive(std::uint64_t first, std::uint64_t count) {

@@ -64,7 +64,9 @@ TEST_F(ReactionAtStart, TorqueWaitsForAGoalThatArrives) {
   rig.losing.lost = [&](Bytes frame) { return writes(frame, servo::kPGain) && ++lost <= 10; };
   rig.cyclesUntil([&] { return lost == 1; });
   const auto driven = [&] {
-    if (lost <= 10) EXPECT_EQ(rig.torqueCount(), 0U);
+    if (lost <= 10) {
+      EXPECT_EQ(rig.torqueCount(), 0U);
+    }
     return rig.torqueCount() == kJoints;
   };
   measure(driven, 80);

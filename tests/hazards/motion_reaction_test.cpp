@@ -116,7 +116,9 @@ TEST_F(ReactionAtStart, TheStartMoveIsGentleWhateverTheControllerAsks) {
   const auto gentle = registerFromSpeedLimit(RadPerSec{kGentleSpeed});
   const auto started = [&] {
     if (neck.rig.state() == State::kDriven) return true;
-    if (neck.rig.torque(Joint::kNeck)) EXPECT_LE(neck.rig.registers(Joint::kNeck).word(servo::kMovingSpeed), gentle);
+    if (neck.rig.torque(Joint::kNeck)) {
+      EXPECT_LE(neck.rig.registers(Joint::kNeck).word(servo::kMovingSpeed), gentle);
+    }
     return false;
   };
   measure(neck.rig, started, 150);

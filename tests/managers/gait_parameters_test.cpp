@@ -30,7 +30,9 @@ TEST_F(GaitParameters, EveryRowOfTheTableWithAnEffectIsPublic) {
   gait::Parameters back;
   managers::assign(back, managers::publicParameters(inside));
   for (const gait::ParameterRow& row : gait::kParameters)
-    if (row.name != "i_gain" && row.name != "d_gain") EXPECT_EQ(back.*row.field, row.high) << row.name;
+    if (row.name != "i_gain" && row.name != "d_gain") {
+      EXPECT_EQ(back.*row.field, row.high) << row.name;
+    }
 }
 
 TEST_F(GaitParameters, AWrongValueChangesNothing) {

@@ -70,7 +70,9 @@ TEST_F(UnderASupervisor, AStoppedOneLeavesTheRobotDrivingThenHeldByTheRuntimeAnd
   })) << supervisor_->output();
   supervisor_->kill(SIGTERM);
   EXPECT_EQ(supervisor_->wait(seconds{30}), 0) << supervisor_->output();
-  expectAllEndedAndTheRobotAtRest(Status{.controller_pid = controller});
+  Status ended;
+  ended.controller_pid = controller;
+  expectAllEndedAndTheRobotAtRest(ended);
 }
 
 TEST_F(UnderASupervisor, ARuntimeThatDiesWhileItIsStoppedIsRescuedAfterwards) {
