@@ -40,8 +40,8 @@ class RobotImpl {
   [[nodiscard]] std::string begin();
   void stepBegin(int ms);
   [[nodiscard]] int stepEnd();
-  /// Sends the motors' goals and waits `ms`, also after the user requested the end: for beforeEnd() of an observer. False:
-  /// the loop or safety has ended the session, it is over, or this is a forked child.
+  /// Sends the motors' goals and waits `ms`, also after the user requested the end: for beforeEnd() of an observer.
+  /// False: the loop or safety has ended the session, it is over, or this is a forked child.
   [[nodiscard]] bool carryOn(int ms);
   /// Lets the observers bring the robot where it can kneel, once. Called when a step returns -1, and by release().
   void comeToRest();

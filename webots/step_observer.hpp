@@ -1,5 +1,5 @@
-// Follows the steps of the robot: a manager that moves joints without a call of the controller, as on the robot of 2013,
-// where it had a thread of its own.
+// Follows the steps of the robot: a manager that moves joints without a call of the controller, as on the robot of
+// 2013, where it had a thread of its own.
 #pragma once
 
 namespace darwinop::webots_api {

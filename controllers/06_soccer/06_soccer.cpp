@@ -1,5 +1,5 @@
-// Soccer: searches an orange ball, walks to it, kicks it, and gets up after a fall. Ends after --seconds N, or with Ctrl-C.
-// Without a robot, with a ball in front of it:
+// Soccer: searches an orange ball, walks to it, kicks it, and gets up after a fall. Ends after --seconds N, or with
+// Ctrl-C. Without a robot, with a ball in front of it:
 //
 //   DARWINOP_TWIN_BALL=rests darwinop run build/release/controllers/06_soccer --robot twin -- --seconds 60
 #include <RobotisOp2GaitManager.hpp>
