@@ -163,7 +163,11 @@ TEST(Recorder, SurvivesCtrlCWhileAPipeIsFull) {
   std::array<int, 2> pipe_ends{};
   ASSERT_EQ(pipe2(pipe_ends.data(), O_CLOEXEC), 0);
   const int read_end = pipe_ends[0], write_end = pipe_ends[1];
-  fcntl(write_end, F_SETPIPE_SZ, 4096);  // less than the header
+  ASSERT_EQ(fcntl(write_end, F_SETFL, O_NONBLOCK), 0);
+  std::array<char, 4096> part{};
+  while (write(write_end, part.data(), part.size()) > 0) {
+  }
+  ASSERT_GT(read(read_end, part.data(), part.size()), 0);  // room for less than the header
   struct sigaction interrupt {
   }, before{};
   interrupt.sa_handler = [](int) { ++interruptions; };  // without SA_RESTART
@@ -176,7 +180,6 @@ TEST(Recorder, SurvivesCtrlCWhileAPipeIsFull) {
       while (interruptions < times) std::this_thread::yield();
     }
     close(write_end);
-    std::array<char, 4096> part{};
     for (ssize_t count = 0; (count = read(read_end, part.data(), part.size())) > 0;)
       read_back.append(part.data(), static_cast<std::size_t>(count));
   }};
