@@ -34,7 +34,7 @@ struct GaitWalker : darwinop::webots_api::StepObserver {
   GaitWalker() = default;
   /// The same robot and commands, at rest.
   GaitWalker(const GaitWalker& other)
-      : StepObserver{},
+      : StepObserver{},  // NOLINT(readability-redundant-member-init): g++ warns without it
         robot{other.robot},
         motors{other.motors},
         gyro{other.gyro},

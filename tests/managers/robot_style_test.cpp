@@ -16,16 +16,16 @@ using testing::ElementsAre;
 class Player2013 : public webots::Robot {
  public:
   Player2013(RobotImpl* impl, const std::string& file)
-      : Robot(impl), motion_manager_(new managers::RobotisOp2MotionManager(this, file)), time_step_(16) {}
-  ~Player2013() override { delete motion_manager_; }
+      : Robot(impl), motion_manager(new managers::RobotisOp2MotionManager(this, file)), time_step(16) {}
+  ~Player2013() override { delete motion_manager; }
 
   /// Steps until the page has ended, at most `limit`.
   int playAsynchronously(int page, int limit) {
-    motion_manager_->playPage(page, false);
+    motion_manager->playPage(page, false);
     int steps = 0;
-    while (motion_manager_->isMotionPlaying() && steps < limit) {
+    while (motion_manager->isMotionPlaying() && steps < limit) {
 #ifndef CROSSCOMPILATION
-      motion_manager_->step(time_step_);
+      motion_manager->step(time_step);
 #endif
       myStep();
       ++steps;
@@ -33,10 +33,10 @@ class Player2013 : public webots::Robot {
     return steps;
   }
   void myStep() {
-    if (step(time_step_) == -1) std::exit(EXIT_SUCCESS);
+    if (step(time_step) == -1) std::exit(EXIT_SUCCESS);
   }
-  managers::RobotisOp2MotionManager* motion_manager_;
-  int time_step_;
+  managers::RobotisOp2MotionManager* motion_manager;
+  int time_step;
 };
 
 using RobotStyle = MotionManagerTest;
