@@ -74,15 +74,15 @@ TEST(TwinBall, HasTheColourOfTheEnvironment) {
 }
 
 TEST(TwinBall, ColourIsANameOrSixHexDigits) {
-  const auto colourOf = [](const std::string& value) {
+  const auto colour_of = [](const std::string& value) {
     const Environment colour{"DARWINOP_TWIN_BALL_COLOUR", value};
     return ballColourFromEnvironment();
   };
-  EXPECT_EQ(colourOf(""), std::nullopt);
-  EXPECT_EQ(colourOf("#ff0033"), (BallColour{1, 0, 0.2F}));
-  ASSERT_TRUE(colourOf("orange"));
+  EXPECT_EQ(colour_of(""), std::nullopt);
+  EXPECT_EQ(colour_of("#ff0033"), (BallColour{1, 0, 0.2F}));
+  ASSERT_TRUE(colour_of("orange"));
   for (const char* wrong : {"orang", "#ff003", "#ff00333", "ff0033", "#ff00g3", "#-f0033"})
-    EXPECT_THROW((void)colourOf(wrong), std::runtime_error) << wrong;
+    EXPECT_THROW((void)colour_of(wrong), std::runtime_error) << wrong;
 }
 
 TEST(TwinBall, NamedOrangeIsTheDefault) {
