@@ -121,7 +121,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "`fall_tilt`. With `on_fall = limp` torque goes off and returns gently."},
     {Fault::kReleasedByButton, Reaction::kLimp, true, true, "released_by_button", "the robot was released with MODE",
      "hold the robot, then press START or start the controller again", Checked::kBoard, "",
-     "Held for 0.25 s. `release_button = none` gives it to the controller."},
+     "Held for 0.25 s. `release_button = none` gives it to the controller. A servo silent at start is not released."},
     {Fault::kStartMissed, Reaction::kReport, false, false, "start_missed",
      "a joint did not reach the start pose in the slow move to it",
      "look for what blocks the joint, then start the controller again", Checked::kAlways, "at the next start",
