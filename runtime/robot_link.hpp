@@ -32,8 +32,8 @@ class RobotLink {
   /// Publishes commands; the loop uses the newest ones. Session and sequence numbers are filled in here. Never blocks.
   virtual void publish(Commands commands) = 0;
 
-  /// Waits until the loop has finished cycle number `cycle` (Sensors::cycle). False: the loop has ended (the daemon
-  /// died) or `stop` is true; whyEnded() then returns a message for the user.
+  /// Waits until the loop has finished cycle number `cycle` (Sensors::cycle). False: `stop` is true, and later waits
+  /// may succeed; or the loop has ended (the daemon died): whyEnded() is then a message for the user.
   [[nodiscard]] virtual bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) = 0;
 
   /// The destructor will not end the session: the robot holds, as after a controller crash, until the next session

@@ -11,7 +11,7 @@
 
 namespace darwinop::hazards {
 
-/// A robot that nobody drives yet: `rig.drive()` starts.
+/// A robot without a controller: `rig.drive()` starts one.
 class ReactionAtStart : public ::testing::Test {
  protected:
   /// Counts the cycles from now, the cause, until `done`, and records them for docs/hazards.md. What holds before its

@@ -49,8 +49,8 @@ TEST_F(GaitParameters, AWrongValueChangesNothing) {
       EXPECT_EQ(manager().getParameters().foot_height, before.foot_height);
     }
   testing::internal::CaptureStderr();
-  managers::DARwInOPGaitManager nobody{nullptr, ini()};
-  EXPECT_FALSE(nobody.setParameters(before));
+  managers::DARwInOPGaitManager without_robot{nullptr, ini()};
+  EXPECT_FALSE(without_robot.setParameters(before));
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(managers::messages::kNotInitialized));
 }
 

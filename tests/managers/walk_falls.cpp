@@ -36,7 +36,7 @@ bool falls(Ground ground, End end, double moment_s) {
   walk.loop(1.2 + moment_s);
   if (walk.lowest() < kFallen) return true;
   if (ground == Ground::kPush) walk.body().push({5, 0, 0}, std::chrono::milliseconds{100});
-  // The behaviour of before: nobody finishes the step, as nobody has the joints.
+  // Behaviour before walks finished their step: without its joints, the gait manager cannot finish it.
   if (end == End::kAtOnce) darwinop::webots_api::currentRobot()->joints_taken_by = nullptr;
   if (end != End::kKilled) walk.end();
   for (int i = 0; i < kCyclesToRest && walk.state() != darwinop::State::kLimp; ++i) walk.runLoop(1);
