@@ -45,11 +45,11 @@ class Complete(unittest.TestCase):
     def check(self, headers, package):
         checked = 0
         for name, body in classes(headers):
-            self.assertTrue(hasattr(package, name), f"python/ has no class {name}")
+            self.assertTrue(hasattr(package, name), f"apps/python has no class {name}")
             for member in methods(name, body) if has_objects(body) else ():
                 if not NOT_IN_PYTHON.fullmatch(f"{name}.{member}"):
                     checked += 1
-                    self.assertTrue(hasattr(getattr(package, name), member), f"python/ lacks {name}::{member}()")
+                    self.assertTrue(hasattr(getattr(package, name), member), f"apps/python lacks {name}::{member}()")
         return checked
 
     def test_api(self):
@@ -64,7 +64,7 @@ class Complete(unittest.TestCase):
         for name in names:
             kind, value = name.split(".")
             if not NOT_IN_PYTHON.fullmatch(name):
-                self.assertTrue(hasattr(getattr(controller, kind), value), f"python/ lacks {name}")
+                self.assertTrue(hasattr(getattr(controller, kind), value), f"apps/python lacks {name}")
 
     def test_getters_of_devices_that_the_robot_lacks(self):
         table = (SOURCE / "webots/include/webots/absent_devices.hpp").read_text(encoding="utf-8")

@@ -147,6 +147,7 @@ function(darwinop_headers_outside_of_rooms)
   find_package(rapidcheck REQUIRED)
   file(GLOB_RECURSE headers "${PROJECT_SOURCE_DIR}/apps/*.hpp" "${PROJECT_SOURCE_DIR}/tests/*.hpp"
     "${PROJECT_SOURCE_DIR}/tools/*.hpp")
+  list(FILTER headers EXCLUDE REGEX "/apps/python/")  # need pybind11
   add_library(outside_of_rooms INTERFACE)
   target_sources(outside_of_rooms INTERFACE FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES ${headers})
   target_include_directories(outside_of_rooms INTERFACE "${PROJECT_SOURCE_DIR}/tests")

@@ -2,8 +2,8 @@
 #include <RobotisOp2VisionManager.hpp>
 #include <stdexcept>
 
-#include "python/bindings.hpp"
-#include "python/messages.hpp"
+#include "apps/python/bindings.hpp"
+#include "apps/python/messages.hpp"
 
 namespace darwinop::python {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "python/session.hpp"
+#include "apps/python/session.hpp"
 
 namespace darwinop::python {
 

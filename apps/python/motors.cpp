@@ -3,7 +3,7 @@
 #include <webots/PositionSensor.hpp>
 #include <webots/Servo.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

@@ -2,7 +2,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

@@ -1,5 +1,5 @@
 // The extension _darwinop: the classes of the packages `controller` and `managers`.
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 PYBIND11_MODULE(_darwinop, module) {
   using namespace darwinop::python;

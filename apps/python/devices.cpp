@@ -4,7 +4,7 @@
 #include <webots/LED.hpp>
 #include <webots/TouchSensor.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

@@ -1,7 +1,7 @@
 // Python class of the camera.
 #include <webots/Camera.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

@@ -1,7 +1,7 @@
 // Python class of the loudspeaker.
 #include <webots/Speaker.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

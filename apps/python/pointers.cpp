@@ -2,7 +2,7 @@
 #include <webots/Joystick.hpp>
 #include <webots/Mouse.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

@@ -1,5 +1,5 @@
 // Ctrl-C in a Python controller.
-#include "python/interrupt.hpp"
+#include "apps/python/interrupt.hpp"
 
 #include <Python.h>
 #include <signal.h>

@@ -1,9 +1,9 @@
 // Guards of the calls that Python makes into the API.
-#include "python/session.hpp"
+#include "apps/python/session.hpp"
 
 #include <stdexcept>
 
-#include "python/messages.hpp"
+#include "apps/python/messages.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace darwinop::python {

@@ -1,7 +1,7 @@
 // Python class of .motion files.
 #include <webots/utils/Motion.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

@@ -12,8 +12,8 @@
 #include <webots/Speaker.hpp>
 #include <webots/TouchSensor.hpp>
 
-#include "python/bindings.hpp"
-#include "python/interrupt.hpp"
+#include "apps/python/bindings.hpp"
+#include "apps/python/interrupt.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"

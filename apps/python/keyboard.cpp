@@ -2,7 +2,7 @@
 #include <webots/Keyboard.hpp>
 #include <webots/Robot.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

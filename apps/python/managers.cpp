@@ -7,7 +7,7 @@
 #include <RobotisOp2VisionManager.hpp>
 #include <webots/Robot.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 
 namespace darwinop::python {
 

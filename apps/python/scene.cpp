@@ -4,7 +4,7 @@
 #include <webots/Node.hpp>
 #include <webots/Proto.hpp>
 
-#include "python/bindings.hpp"
+#include "apps/python/bindings.hpp"
 #include "webots/messages.hpp"
 #include "webots/notices.hpp"
 
