@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
@@ -40,6 +42,21 @@ TEST(LogKeeper, ALogThatCannotBeCopiedIsStillTruncated) {
 TEST(LogKeeper, AMissingLogIsNotAnError) {
   const TemporaryFolder folder;
   EXPECT_TRUE(bound(folder / "log", 100));
+}
+
+TEST(LogKeeper, ItsThreadRotatesEachLogAndEnds) {
+  using namespace std::chrono_literals;
+  constexpr auto kFull = static_cast<std::size_t>(kLogBytes);
+  const TemporaryFolder folder;
+  for (const char* const name : {"one", "two"}) std::ofstream{folder / name} << std::string(kFull, 'a');
+  {
+    const LogKeeper keeper{{folder / "one", folder / "missing", folder / "two"}};
+    for (int i = 0; i < 10'000 && std::filesystem::file_size(folder / "two") > 0; ++i) std::this_thread::sleep_for(1ms);
+  }
+  for (const char* const name : {"one", "two"}) {
+    EXPECT_EQ(textOf(folder / name), "") << name;
+    EXPECT_EQ(textOf(folder / name + ".1").size(), kFull) << name;
+  }
 }
 
 }  // namespace

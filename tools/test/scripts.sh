@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Shell scripts: their syntax, and shellcheck. What runs on a robot has to be POSIX. Patterns of tools/mutate.sh.
+# Shell scripts: their syntax, and shellcheck. What runs on a robot has to be POSIX. Patterns of tools/mutate.sh. Rooms
+# with threads.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
@@ -19,3 +20,4 @@ printf '%s\n' "${scripts[@]}" |
   xargs -P "$(nproc)" -n 20 shellcheck --external-sources --source-path=SCRIPTDIR --exclude=SC1091,SC2016
 shellcheck --exclude=SC1091,SC2016,SC2034,SC2154 "${parts[@]}"
 tools/mutate.sh --list >/dev/null  # a pattern must be in the code that it changes
+tools/check_threads.sh
