@@ -1,8 +1,9 @@
 // Servos tab: curves of one servo, table of all.
 import {CurvePlot} from './curve_plot.js';
 import {degrees, el, number, setClass, setText} from './dom.js';
+import {kServoHot} from './limits.js';
 
-const kHot = 65, kWarm = 55;  // deg C; at kHot the robot slows down (fault 22)
+const kWarm = 55;  // deg C
 const kHead = [['Servo', ''], ['Target', 'deg'], ['Actual', 'deg'], ['Error', 'deg'], ['Load', '%'], ['Temperature', '°C'],
   ['Supply', 'V'], ['Torque', ''], ['Age', 'cycles']];
 const kDegrees = 180 / Math.PI;
@@ -73,7 +74,7 @@ export class ServosPane {
       [number(goal === null ? null : degrees(goal), 1), number(is === null ? null : degrees(is), 1), number(error, 1),
         number(load), number(heat), number(j.voltage[i], 1), shut_off ? 'shut off' : torque,
         j.silent[i] ? 'silent' : number(j.age[i])].forEach((text, c) => setText(cells[c], text));
-      setClass(cells[4], heat >= kHot ? 'bad' : heat >= kWarm ? 'warn' : '');
+      setClass(cells[4], heat >= kServoHot ? 'bad' : heat >= kWarm ? 'warn' : '');
       setClass(cells[6], shut_off ? 'bad' : '');
       setClass(cells[7], j.silent[i] ? 'bad' : '');
     });

@@ -1,8 +1,7 @@
-// Checks whether the robot is in its start pose, with the bounds of safety.
+// Checks whether the robot is in its start pose, with the bounds of safety. Legs only: arms and head are light.
+import {kGravity, kOrientationTolerance, kStartTolerance} from './limits.js';
 
-const kTolerance = 0.3528;     // rad (230 ticks), legs only: arms and head are light
-const kUpright = [0, 0, 9.80665];
-const kLean = 9.80665 / 4;     // m/s2 on each axis
+const kUpright = [0, 0, kGravity];
 
 /// {off: [{name, by}], upright}; `by` in rad; null: unknown.
 export function poseFindings(joints, state) {
@@ -11,11 +10,11 @@ export function poseFindings(joints, state) {
     if (!chain.endsWith('leg')) return;
     const is = state.joints.position[i];
     if (is === null) off.push({name, by: null});
-    else if (Math.abs(is - start) > kTolerance) off.push({name, by: is - start});
+    else if (Math.abs(is - start) > kStartTolerance) off.push({name, by: is - start});
   });
   const felt = state.board.accelerometer;
   const upright = Array.isArray(felt) && felt.every((axis) => axis !== null)
-    ? felt.every((axis, i) => Math.abs(axis - kUpright[i]) <= kLean) : null;
+    ? felt.every((axis, i) => Math.abs(axis - kUpright[i]) <= kOrientationTolerance) : null;
   return {off, upright};
 }
 

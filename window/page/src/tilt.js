@@ -1,8 +1,9 @@
 // Estimates the trunk's up direction: complementary filter of gyro and accelerometer.
 import {Quaternion, Vector3} from 'three';
 
+import {kGravity} from './limits.js';
+
 const kTimeConstant_s = 0.6;       // time constant of the filter
-const kGravity = 9.81;         // m/s2
 const kShaken = 0.35;          // relative deviation from gravity beyond which the accelerometer is ignored
 const kLongestStep_s = 0.3;
 
