@@ -20,7 +20,7 @@ hil-mocks/camera/shim | hal/camera_v4l2 | linked in front of the camera
 remote/jpeg | remote/jpeg |
 runtime | runtime |
 supervisor | supervisor |
-window | window |
+window/drive | window |
 '
 
 starting=$(git grep -lE '\bstd::(jthread|thread) *(\{|[a-z_]+[;{(=])|\bstd::vector<std::j?thread>|\bstd::async\(|\bpthread_create\(' -- \

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "window/bridge.hpp"
+#include "window/view/bridge.hpp"
 
 namespace {
 

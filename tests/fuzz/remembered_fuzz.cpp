@@ -8,7 +8,7 @@
 #include <string>
 
 #include "support/temporary_folder.hpp"
-#include "window/remembered.hpp"
+#include "window/transfer/remembered.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "window/steering_session.hpp"
+#include "window/drive/steering_session.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "window/transfer_message.hpp"
+#include "window/transfer/transfer_message.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Embedded files of the page are complete.
-#include "window/assets.hpp"
+#include "window/page/assets.hpp"
 
 #include <gtest/gtest.h>
 

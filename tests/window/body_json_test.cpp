@@ -1,5 +1,5 @@
 // The page's geometry is the twin's body, complete and in order.
-#include "window/body_json.hpp"
+#include "window/page/body_json.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Bridge to a monitor: a real server and connection on loopback, and a fake page.
-#include "window/bridge.hpp"
+#include "window/view/bridge.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,13 +1,13 @@
 // Output of the installer: line splitting, classification, limits, progress.
-#include "window/console.hpp"
+#include "window/transfer/console.hpp"
 
 #include <gmock/gmock.h>
 
 #include <string>
 #include <vector>
 
-#include "window/installer_step.hpp"
-#include "window/line_splitter.hpp"
+#include "window/transfer/installer_step.hpp"
+#include "window/transfer/line_splitter.hpp"
 
 namespace darwinop {
 namespace {

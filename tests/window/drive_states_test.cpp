@@ -1,11 +1,11 @@
 // States of the drive thread against a literal table of every state and event, and the time limits.
-#include "window/drive_states.hpp"
+#include "window/drive/drive_states.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "window/drive_timers.hpp"
+#include "window/drive/drive_timers.hpp"
 
 namespace darwinop::window {
 namespace {

@@ -1,5 +1,5 @@
 // Drive thread on a link that runs a cycle when it is waited for.
-#include "window/drive_thread.hpp"
+#include "window/drive/drive_thread.hpp"
 
 #include <gmock/gmock.h>
 

@@ -9,9 +9,9 @@
 
 #include "core/faults.hpp"
 #include "monitor/messages.hpp"
-#include "window/drive_thread.hpp"
+#include "window/drive/drive_thread.hpp"
+#include "window/drive/steering_session.hpp"
 #include "window/fake_robot_link.hpp"
-#include "window/steering_session.hpp"
 
 namespace darwinop::window {
 namespace {

@@ -1,5 +1,5 @@
 // Motion planner: commands of each cycle for the page's requests.
-#include "window/motion_planner.hpp"
+#include "window/drive/motion_planner.hpp"
 
 #include <gmock/gmock.h>
 

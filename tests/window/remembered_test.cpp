@@ -1,5 +1,5 @@
 // File of recently used robots: private, atomic, robust.
-#include "window/remembered.hpp"
+#include "window/transfer/remembered.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // Selection of the robot: invalid combinations are reported before anything is started.
-#include "window/robot_choice.hpp"
+#include "window/view/robot_choice.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Steering session: takeover, requests, heartbeat, end.
-#include "window/steering_session.hpp"
+#include "window/drive/steering_session.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Transfer requests of a page and the resulting command lines.
-#include "window/transfer_message.hpp"
+#include "window/transfer/transfer_message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 
 #include "support/temporary_folder.hpp"
 #include "window/messages.hpp"
-#include "window/transfer_command.hpp"
+#include "window/transfer/transfer_command.hpp"
 
 namespace darwinop {
 namespace {

@@ -1,5 +1,5 @@
 // The states of the transfer against a literal table of every state and event.
-#include "window/transfer_states.hpp"
+#include "window/transfer/transfer_states.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Transfer channel with a shell script as installer.
-#include "window/transfer.hpp"
+#include "window/transfer/transfer.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

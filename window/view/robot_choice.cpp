@@ -1,0 +1,77 @@
+// Selection of the robot by --robot and --monitor.
+#include "window/view/robot_choice.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "connect/setting.hpp"
+#include "hal/net/names/resolve.hpp"
+#include "remote/client/tcp_link.hpp"
+#include "runtime/daemon_link.hpp"
+#include "window/view/local_monitor.hpp"
+
+namespace darwinop::window {
+namespace {
+
+constexpr Nanos kServerPatience{3'000'000'000};
+constexpr std::uint16_t kMonitorPort = 5024;
+
+/// The robot is on another computer.
+bool isRemote(const RobotChoice& choice) {
+  return choice.robot.starts_with("tcp://") || !choice.monitor.empty();
+}
+
+/// Address of the robot's monitor: the host of its server unless --monitor is given.
+connect::Address monitorOf(const RobotChoice& choice) {
+  connect::Address monitor;
+  monitor.port = kMonitorPort;
+  if (choice.monitor.empty()) {
+    monitor.host = connect::readSetting(choice.robot).server.host;
+  } else {
+    monitor = connect::readSetting("tcp://" + choice.monitor).server;
+    if (choice.monitor.find(':') == std::string::npos) monitor.port = kMonitorPort;
+  }
+  return monitor;
+}
+
+}  // namespace
+
+std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
+                                                    const std::vector<std::string>& controller) {
+  const std::string& robot = choice.robot;
+  if (robot == "runtime" || isRemote(choice)) {
+    if (!controller.empty())
+      throw std::runtime_error(
+          "the window starts a controller only on its own virtual robot; start it with: darwinop run");
+    return nullptr;
+  }
+  if (robot == "virtual") return std::make_unique<SimulatedRobot>("plain", controller);
+  if (robot == "twin" || robot.starts_with("twin:")) return std::make_unique<SimulatedRobot>(robot, controller);
+  throw std::runtime_error("unknown --robot " + robot + "; use twin, twin:MODEL, virtual, runtime or tcp://HOST");
+}
+
+MonitorFeed openMonitorFeed(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& rendered,
+                            const std::shared_ptr<monitor::ColourSearch>& search, const LogLine& log) {
+  if (!isRemote(choice)) return MonitorFeed{makeLocalMonitor(files, rendered, search, log)};
+  const connect::Address at = monitorOf(choice);
+  const std::string name = choice.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : choice.logged_in_to;
+  return MonitorFeed{std::make_unique<Bridge>(net::addressesOf(at.host).front(), at.port, name)};
+}
+
+std::unique_ptr<runtime::RobotLink> openDriveLink(const RobotChoice& choice, const runtime::RuntimeFiles& files,
+                                                  const LogLine& log) {
+  if (choice.robot.starts_with("tcp://")) {
+    const connect::Address at = connect::readSetting(choice.robot).server;
+    remote::TcpOptions options;
+    options.host = at.host;
+    options.port = at.port;
+    options.connect_timeout = kServerPatience;
+    options.log = log;
+    return std::make_unique<remote::TcpLink>(std::move(options));
+  }
+  if (isRemote(choice))
+    throw std::runtime_error("this window only observes; to drive, start it with --robot tcp://HOST");
+  return std::make_unique<runtime::DaemonLink>(files);
+}
+
+}  // namespace darwinop::window
