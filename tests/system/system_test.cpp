@@ -16,51 +16,7 @@ using testing::HasSubstr;
 
 constexpr double kDriven = 4;  // safety.state
 
-/// What went to one joint while the controller drove, without repetitions: a controller that comes a moment late has
-/// its goal sent twice, and a joint whose reply was lost keeps its goal for a cycle.
-std::vector<double> goalsSent(const Recording& log, const std::string& joint) {
-  std::vector<double> goals;
-  for (std::size_t i = 0; i < log.rows(); ++i) {
-    if (log.at(i, "safety.state") != kDriven) continue;
-    const double now = log.at(i, joint + ".commanded [rad]");
-    if (goals.empty() || goals.back() != now) goals.push_back(now);
-  }
-  return goals;
-}
-
-/// The same goals in the same order. In real time the newest image wins: a controller that the machine kept waiting
-/// may offer two within a cycle, and the first of them is never sent. That is allowed for one in ten.
-void expectTheSame(const std::string& recording, const std::string& in_lockstep) {
-  const Recording log{recording}, reference{in_lockstep};
-  for (const char* const joint : {"Neck", "ArmLowerR"}) {
-    const std::vector<double> lockstep = goalsSent(reference, joint), sent = goalsSent(log, joint);
-    ASSERT_GE(lockstep.size(), 150U) << joint;
-    std::size_t at = 0;
-    for (const double goal : sent) {
-      while (at < lockstep.size() && lockstep[at] != goal) ++at;
-      ASSERT_LT(at, lockstep.size()) << joint << " " << goal << ": never sent in lockstep";
-    }
-    EXPECT_GE(sent.size(), lockstep.size() * 9 / 10) << joint;
-  }
-}
-
 using WholeChain = Rig;
-
-TEST_F(WholeChain, OneControllerSendsTheSameGoalsEmbeddedThroughTheDaemonAndInLockstep) {
-  run("virtual", {"--record", file("lockstep.csv")}, {"200"});
-
-  startVirtualRobot();
-  run(port(), {"--record", file("embedded.csv")}, {"200"});
-
-  Program daemon{{program("darwinop-runtime"), "--robot", port(), "--record", file("daemon.csv")}, file("daemon.txt")};
-  ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();
-  run("runtime", {}, {"200"});
-  daemon.kill(SIGTERM);
-  ASSERT_EQ(daemon.wait(seconds{20}), 0) << daemon.output();
-
-  expectTheSame(file("embedded.csv"), file("lockstep.csv"));
-  expectTheSame(file("daemon.csv"), file("lockstep.csv"));
-}
 
 class Period : public Rig, public testing::WithParamInterface<int> {};
 INSTANTIATE_TEST_SUITE_P(Ms, Period, testing::Values(16, 8));
