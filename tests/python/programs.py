@@ -13,6 +13,7 @@ import unittest
 BIN = pathlib.Path(os.environ["DARWINOP_BIN"])
 CONTROLLERS = pathlib.Path(__file__).parent / "controllers"
 TIMEOUT_S = 60
+DRIVEN = "4"  # safety.state
 
 
 class Programs(unittest.TestCase):
@@ -51,9 +52,32 @@ class Programs(unittest.TestCase):
                 program.communicate(timeout=TIMEOUT_S)
 
 
+def rows_of(recording):
+    """Names of the columns, and the rows."""
+    with open(recording, encoding="utf-8") as file:
+        names, *rows = csv.reader(line for line in file if not line.startswith("#"))
+    return names, rows
+
+
 def movements(recording):
     """Rows of what the controller asked for, what was sent, and where the joints were; the names first."""
-    with open(recording, encoding="utf-8") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    columns = [i for i, name in enumerate(rows[0]) if re.search(r"\.(asked|commanded|position)", name)]
-    return [[row[i] for i in columns] for row in rows]
+    names, rows = rows_of(recording)
+    columns = [i for i, name in enumerate(names) if re.search(r"\.(asked|commanded|position)", name)]
+    return [[row[i] for i in columns] for row in [names, *rows]]
+
+
+def goals(recording):
+    """Of each session, in order, while it drove all joints: goals in rad by column, "asked" and "commanded", by cycle."""
+    names, rows = rows_of(recording)
+    state, session = names.index("safety.state"), names.index("driver.session")
+    columns = {name: [i for i, title in enumerate(names) if title.endswith(f".{name} [rad]")]
+               for name in ("asked", "commanded")}
+    sessions = {}
+    for row in rows:
+        if row[state] != DRIVEN or row[session] == "0":
+            continue
+        found = sessions.setdefault(row[session], {name: [] for name in columns})
+        for name, indices in columns.items():
+            if all(row[i] for i in indices):
+                found[name].append([float(row[i]) for i in indices])
+    return list(sessions.values())

@@ -1,11 +1,9 @@
-"""Python controllers in the styles of public code, on each kind of robot; and against the same controllers in C++."""
+"""Python controllers in the styles of public code, on each kind of robot."""
 
 import os
 import unittest
 
-from programs import CONTROLLERS, Programs, movements
-
-CPP_CONTROLLERS = os.environ["DARWINOP_CONTROLLERS"]
+from programs import Programs
 
 
 class OnEachRobot(Programs):
@@ -62,30 +60,6 @@ class Folder(Programs):
             "print(robot.basic_time_step, os.path.isdir('here'), robot.project_path, sys.argv[1:])\n")
         output, _ = self.run_controller(str(self.folder / "c.py"), "--", "--seconds", "2")
         self.assertIn(f"24.0 True {self.folder} ['--seconds', '2']\n", output)
-
-
-class AgainstCpp(Programs):
-    """In simulated time both languages ask for the same goals at the same moments, and the robot moves alike."""
-
-    def check_same(self, python, cpp, *arguments, robot="virtual"):
-        recordings = [self.folder / "python.csv", self.folder / "cpp.csv"]
-        for name, recording in zip((CONTROLLERS / python, f"{CPP_CONTROLLERS}/{cpp}"), recordings):
-            self.run_controller(str(name), *arguments, robot=robot, record=recording)
-        python_rows, cpp_rows = map(movements, recordings)
-        self.assertGreater(len(cpp_rows), 50)
-        self.assertEqual(len(python_rows), len(cpp_rows))
-        for python_row, cpp_row in zip(python_rows, cpp_rows):
-            self.assertEqual(python_row, cpp_row)
-
-    def test_symmetry(self):
-        self.check_same("symmetry", "02_symmetry", "--seconds", "2")
-
-    def test_walk(self):
-        self.check_same("walk", "05_walk", "--seconds", "2")
-
-    @unittest.skipUnless("DARWINOP_WITH_TWIN" in os.environ, "no twin in this build")
-    def test_walk_on_the_twin(self):
-        self.check_same("walk", "05_walk", "--seconds", "2", robot="twin")
 
 
 if __name__ == "__main__":
