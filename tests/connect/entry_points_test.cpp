@@ -51,7 +51,7 @@ Files filesWith(std::initializer_list<const char*> texts) {
 
 TEST(EntryPoints, EveryRoomIsSearched) {
   const std::set<std::string> folders = productFolders();
-  for (const char* room : {"apps", "connect", "controllers", "hal", "python", "supervisor", "window"})
+  for (const char* room : {"apps", "connect", "controllers", "hal", "supervisor", "window"})
     EXPECT_TRUE(folders.contains(room)) << room;
 }
 
