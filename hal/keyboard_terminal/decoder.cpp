@@ -132,11 +132,12 @@ std::optional<KeyEvent> KeyDecoder::take(unsigned char byte) {
         digits_ += static_cast<char>(byte);
         return std::nullopt;
       }
-      if (byte < '@' && digits_.size() < kLongest) {
-        digits_ += static_cast<char>(byte);
+      if (byte < '@') {
+        if (digits_.size() <= kLongest) digits_ += static_cast<char>(byte);  // one more than fits: too long
         return std::nullopt;
       }
       state_ = State::kPlain;
+      if (digits_.size() > kLongest) return std::nullopt;
       return sequence(static_cast<char>(byte));
   }
   if (const auto key = ofCharacter(byte)) return typed(*key);
