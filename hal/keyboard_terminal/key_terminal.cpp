@@ -77,6 +77,8 @@ void KeyTerminal::handle(const KeyEvent& event, Nanos now) {
 void KeyTerminal::watchForSilence(Nanos now) {
   if (!has_reports_ || keys_.down().empty()) return asked_at_.reset();
   if (!asked_at_) {
+    if (now < next_question_) return;
+    next_question_ = now + kQuestions;
     raw_.askForReports();
     asked_at_ = now;
   } else if (now - *asked_at_ > kSilence) {

@@ -28,6 +28,8 @@ class KeyTerminal {
  private:
   /// Without a reply while a key is held, all keys count as released: a lost connection reports no release.
   static constexpr Nanos kSilence = std::chrono::seconds{1};
+  /// Between two queries: a terminal that replies at once would be asked as fast as it can.
+  static constexpr Nanos kQuestions = std::chrono::milliseconds{100};
 
   [[nodiscard]] bool readAll();
   void handle(const KeyEvent& event, Nanos now);
@@ -40,6 +42,7 @@ class KeyTerminal {
   KeyDecoder decoder_;
   bool has_reports_ = false;
   std::optional<Nanos> asked_at_;  // query without a reply yet
+  Nanos next_question_{0};
 };
 
 }  // namespace darwinop::terminal

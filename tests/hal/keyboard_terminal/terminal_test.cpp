@@ -80,21 +80,29 @@ class Terminal : public testing::Test {
   }
   bool shows(const std::string& text) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{20};
-    while (shown.find(text) == std::string::npos && std::chrono::steady_clock::now() < end) {
-      pollfd ready{master, POLLIN, 0};
-      std::array<char, 256> part{};
-      if (poll(&ready, 1, 20) != 1) continue;
-      const ssize_t count = read(master, part.data(), part.size());
-      if (count <= 0) continue;
-      shown.append(part.data(), static_cast<std::size_t>(count));
-      reply();
-    }
+    while (shown.find(text) == std::string::npos && std::chrono::steady_clock::now() < end) receive();
     return shown.find(text) != std::string::npos;
+  }
+  void receive() {
+    pollfd ready{master, POLLIN, 0};
+    std::array<char, 256> part{};
+    if (poll(&ready, 1, 20) != 1) return;
+    const ssize_t count = read(master, part.data(), part.size());
+    if (count <= 0) return;
+    shown.append(part.data(), static_cast<std::size_t>(count));
+    reply();
+  }
+  /// The program has asked this many times.
+  bool asks(int times) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{20};
+    while (queries < times && std::chrono::steady_clock::now() < end) receive();
+    return queries >= times;
   }
   /// As a terminal that can report keys. Queries may be in the middle of other output.
   void reply() {
     for (std::size_t query = 0; (query = shown.find(terminal::kAskForReports)) != std::string::npos;) {
       shown.erase(query, terminal::kAskForReports.size());
+      ++queries;
       if (replies) type(shown.find(terminal::kStartReports) < query ? "\x1b[?15u" : "\x1b[?0u");
     }
   }
@@ -119,6 +127,7 @@ class Terminal : public testing::Test {
   int master = -1;
   std::string shown;
   bool replies = false;  // to kAskForReports
+  int queries = 0;
 };
 
 TEST_F(Terminal, ReadsArrowsAndLettersAndRestoresTheTerminal) {
@@ -162,6 +171,17 @@ TEST_F(ReportingTerminal, ReleasesItsKeysWhenItLosesTheFocus) {
   EXPECT_TRUE(shows("[ 315 ]")) << shown;
   type("\x1b[O");
   EXPECT_TRUE(shows("[ ]")) << shown;
+}
+
+TEST_F(ReportingTerminal, HoldsAKeyAsLongAsItReplies) {
+  startReporting();
+  type("\x1b[A");
+  ASSERT_TRUE(shows("[ 315 ]")) << shown;
+  constexpr int kMoreThanASilence = 12;  // a silence has 1 s
+  const auto begun = std::chrono::steady_clock::now();
+  EXPECT_TRUE(asks(queries + kMoreThanASilence)) << queries;
+  EXPECT_GE(std::chrono::steady_clock::now() - begun, std::chrono::seconds{1}) << "it asks every 0.1 s, not more often";
+  EXPECT_THAT(shown, testing::Not(HasSubstr("[ ]")));
 }
 
 TEST_F(ReportingTerminal, ReleasesItsKeysWhenItRepliesNoMore) {
