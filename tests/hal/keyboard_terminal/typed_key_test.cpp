@@ -41,9 +41,18 @@ TEST_F(Typed, IsHeldWhileItRepeatsAndEndsSoonAfter) {
 }
 
 TEST_F(Typed, SurvivesALateRepetition) {
-  for (const int ms : {0, 500, 533, 712}) typed.type('A', milliseconds{ms});
+  for (const int ms : {0, 500, 533, 712}) {
+    typed.type('A', milliseconds{ms});
+    EXPECT_THAT(at(ms), ElementsAre('A')) << ms;
+  }
   EXPECT_THAT(at(911), ElementsAre('A'));
   EXPECT_THAT(at(912), IsEmpty());
+}
+
+TEST_F(Typed, EndsThoughNobodyLooksUntilItsNextTap) {
+  for (const int ms : {0, 500, 533, 2000}) typed.type('A', milliseconds{ms});
+  EXPECT_THAT(at(2000), ElementsAre('A'));
+  EXPECT_THAT(at(2001), IsEmpty()) << "a tap";
 }
 
 TEST_F(Typed, IsEndedByAnotherOne) {
