@@ -68,6 +68,12 @@ TEST_F(PythonCommand, TheOneThatTheUserNamesIsTheOnlyOneTried) {
               AllOf(StartsWith(messages::kNoPython + modules()), HasSubstr("3.19"), HasSubstr(folder_ / "mine")));
 }
 
+TEST_F(PythonCommand, AnEmptyNameIsNone) {
+  addInterpreter("python3", true);
+  const Environment chosen{"DARWINOP_PYTHON_PROGRAM", ""};
+  EXPECT_EQ(found(), "python3");
+}
+
 TEST_F(PythonCommand, WithoutInterpreterThoseTriedAreNamed) {
   addInterpreter("python3", false);
   EXPECT_THAT(found(), AllOf(StartsWith(messages::kNoPython), HasSubstr("python3, python3.19, /usr/bin/python3.19")));
@@ -80,6 +86,10 @@ TEST_F(PythonCommand, ABuildWithoutModulesNamesTheirFolder) {
 
 TEST_F(PythonCommand, TheModulesComeBeforeWhatTheUserHas) {
   EXPECT_EQ(pythonPath("/modules"), "PYTHONPATH=/modules");
+  {
+    const Environment none{"PYTHONPATH", ""};  // an empty element would mean the current folder
+    EXPECT_EQ(pythonPath("/modules"), "PYTHONPATH=/modules");
+  }
   const Environment others{"PYTHONPATH", "/others"};
   EXPECT_EQ(pythonPath("/modules"), "PYTHONPATH=/modules:/others");
 }

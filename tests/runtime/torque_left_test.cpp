@@ -43,6 +43,8 @@ TEST(TorqueLeft, AServoWithTorqueIsNamedWhateverTheState) {
 
 TEST(TorqueLeft, AServoThatWasNotPolledForTwoRoundsIsUnknown) {
   Sensors seen = limpImage();
+  seen.joint[kNeck].health.age = 50;
+  EXPECT_TRUE(left(seen).none());
   seen.joint[kNeck].health.age = 51;
   EXPECT_EQ(namesOf(left(seen)), "Neck");
   seen.joint[kNeck].health.age = Freshness::kNever;
@@ -69,8 +71,9 @@ TEST(TorqueLeft, WithoutServoPowerThereIsNone) {
   seen.board.servo_power = false;
   for (JointSensors& joint : seen.joint) joint.health.age = 1000;
   seen.joint[kNeck].torque_enabled = true;
+  seen.board.motion.age = kAnswerPatience;
   EXPECT_TRUE(left(seen).none());
-  seen.board.motion.age = 6;  // the board's value is old
+  seen.board.motion.age = kAnswerPatience + 1;  // the board's value is old
   EXPECT_TRUE(left(seen).all());
 }
 
