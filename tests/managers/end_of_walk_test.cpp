@@ -54,6 +54,41 @@ TEST_F(EndOfWalk, CtrlCDuringAStepReturnsFromItInTheStance) {
   }
 }
 
+TEST_F(EndOfWalk, CtrlCDuringALongStepDoesNotWaitForItsEnd) {
+  walkInto(7);
+  const Nanos before = fake.now;
+  fake.during_wait = [this] { stop = true; };
+  EXPECT_EQ(robot().step(5000), -1);
+  EXPECT_EQ(goals(), gait::kStanding.tick);
+  EXPECT_LE(fake.now - before, kBound);
+}
+
+/// The last step swings on when the last goal is reached.
+TEST_F(EndOfWalk, TheRobotStandsBeforeItKneels) {
+  walkInto(7);
+  stop = true;
+  EXPECT_EQ(robot().step(16), -1);
+  constexpr std::size_t kStood = 400 / 16;
+  ASSERT_GT(fake.published.size(), kStood);
+  const Commands& first = fake.published[fake.published.size() - kStood];
+  for (std::size_t i = 0; i < kWalking; ++i)
+    EXPECT_EQ(ticksFromRad(first.joint[i].goal), gait::kStanding.tick[i]) << kJointTable[i].name;
+}
+
+TEST_F(EndOfWalk, ALongPeriodIsNotWaitedForAndNothingMovesAfterwards) {
+  write("[Walking Config]\nperiod_time = 3000\n");
+  walkInto(44);  // shortly after the right foot came down: the second time from here is too late
+  Nanos before = fake.now;
+  stop = true;
+  EXPECT_EQ(robot().step(16), -1);
+  EXPECT_NE(goals(), gait::kStanding.tick);
+  EXPECT_LT(fake.now - before, milliseconds{3000}) << "the supervisor kills after 3 s";
+  before = fake.now;
+  EXPECT_EQ(robot().step(16), -1);
+  manager_.reset();
+  EXPECT_EQ(fake.now, before);
+}
+
 TEST_F(EndOfWalk, AControllerThatReturnsFromMainEndsInTheStance) {
   walkInto(7);
   end();  // ~Robot, as exit() and an uncaught exception
@@ -81,11 +116,13 @@ TEST_F(EndOfWalk, ALoopThatHasGoneIsNotWaitedFor) {
   walkInto(7);
   fake.gone = true;
   const Nanos before = fake.now;
+  const std::size_t published = fake.published.size();
   testing::internal::CaptureStderr();
   EXPECT_EQ(robot().step(16), -1);
   end();
   testing::internal::GetCapturedStderr();
   EXPECT_EQ(fake.now, before);
+  EXPECT_LE(fake.published.size(), published + 2) << "by the step, and by one attempt to carry on";
 }
 
 TEST_F(EndOfWalk, SafetyIsNotInterfered) {

@@ -1,6 +1,8 @@
 // Walks in a loop that is slower than its step, and without a call of step() of the manager.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "gait_rig.hpp"
 #include "managers/messages.hpp"
 #include "managers/step_clock.hpp"
@@ -54,7 +56,11 @@ TEST_F(SlowLoop, BeyondTheBoundItPlaysInSlowMotion) {
   loop(1, milliseconds{16});
   loop(5, milliseconds{400});
   // Late rounds show in the image after them.
-  EXPECT_EQ(goals(), walked(3 * 16 + 3 * static_cast<int>(managers::StepClock::kMaxRoundMs)));
+  const int slow_ms = 3 * 16 + 3 * static_cast<int>(managers::StepClock::kMaxRoundMs);
+  EXPECT_EQ(goals(), walked(slow_ms));
+  loop(4, milliseconds{16});
+  const int last_late_ms = 2 * static_cast<int>(managers::StepClock::kMaxRoundMs) + 2 * 16;
+  EXPECT_EQ(goals(), walked(slow_ms + last_late_ms)) << "the time beyond the bound is lost";
 }
 
 TEST_F(SlowLoop, AControllerThatIsTooSlowGetsOneMessageWithTheStepThatFits) {
@@ -65,6 +71,24 @@ TEST_F(SlowLoop, AControllerThatIsTooSlowGetsOneMessageWithTheStepThatFits) {
   EXPECT_THAT(said, HasSubstr(std::string{managers::messages::kTooSlow} + "24 ms"));
   EXPECT_THAT(said, HasSubstr(std::string{managers::messages::kDeclare} + "step(24)"));
   EXPECT_EQ(lines(said), 1);
+}
+
+TEST_F(SlowLoop, NoMoreMessagesComeIfItBecomesSlower) {
+  testing::internal::CaptureStderr();
+  standing().start();
+  loop(400, milliseconds{24});
+  loop(400, milliseconds{40});
+  EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
+}
+
+TEST_F(SlowLoop, AStartAfterARestTakesNothingOfIt) {
+  standing().start();
+  loop(20, milliseconds{16});
+  manager().stop();
+  robot().step(500);
+  manager().start();
+  loop(2, milliseconds{16});
+  EXPECT_EQ(goals(), walked(32));
 }
 
 TEST_F(SlowLoop, ALoopInTimeGetsNoSuchMessage) {
@@ -88,6 +112,43 @@ TEST(StepClock, UnevenImagesOfALoopInTimeAddNothing) {
     played_ms += clock.advance(16, robot_ms, 16);
   }
   EXPECT_NEAR(played_ms, 16'000, 32);
+}
+
+TEST(StepClock, StepsOfAFractionOfACycleAddNothing) {
+  managers::StepClock clock;
+  for (int step = 0; step < 1000; ++step)
+    ASSERT_EQ(clock.advance(20, 16 * std::ceil(20 * step / 16.0), 16), 20) << step;
+}
+
+TEST(StepClock, ALoopThatDeclaredTooMuchIsFollowedSoonAfter) {
+  managers::StepClock clock;
+  double robot_ms = 0, played_ms = 0;
+  for (int step = 0; step < 1000; ++step) (void)clock.advance(32, robot_ms += 16, 16);
+  for (int step = 0; step < 20; ++step) played_ms += clock.advance(16, robot_ms += 48, 16);
+  EXPECT_NEAR(played_ms, 20 * 48, managers::StepClock::kMaxRoundMs + 16);
+}
+
+TEST(StepClock, APauseCountsAsDeclared) {
+  managers::StepClock clock;
+  (void)clock.advance(16, 0, 16);
+  EXPECT_EQ(clock.advance(16, managers::StepClock::kPauseMs + 16, 16), 16);
+}
+
+TEST(StepClock, OnlyALoopThatIsSlowForLongIsCalledSlow) {
+  managers::StepClock clock;
+  double robot_ms = 0;
+  const auto rounds = [&](int count, double round_ms) {
+    for (int round = 0; round < count; ++round) {
+      (void)clock.advance(16, robot_ms += round_ms, 16);
+      ASSERT_EQ(clock.slowRoundMs(), 0);
+    }
+  };
+  rounds(100, 24);
+  rounds(300, 16);
+  for (int pause = 0; pause < 10; ++pause) {
+    rounds(1, 300);
+    rounds(100, 16);
+  }
 }
 
 /// As in code of the robot, where a thread walked.
