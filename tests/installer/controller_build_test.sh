@@ -138,6 +138,16 @@ scenario_an_absolute_path_to_makefile_include_is_replaced() {
   [ $result = 12 ] || fail "the program returns $result"
 }
 
+scenario_compilers_of_other_computers_are_replaced() {
+  controller walker 'return 6;'
+  printf 'CROSS = i586-geode-linux-\nwalker: main.cpp\n\t$(CROSS)g++ -c main.cpp\n\t/opt/bin/g++-4.4 main.o -o walker\n' \
+    >"$LAB/pc/walker/Makefile.darwin-op"
+  build_controller "$LAB/pc/walker"
+  expect 0
+  result=0; "$program" || result=$?
+  [ $result = 6 ] || fail "the program returns $result"
+}
+
 scenario_a_makefile_for_the_old_libraries_is_left_aside() {
   controller walker 'return 3;'
   printf 'all:\n\tg++ main.cpp /robotis/Linux/lib/darwin.a -o walker\n' >"$LAB/pc/walker/Makefile.robotis-op2"
@@ -167,7 +177,8 @@ scenario_a_program_of_the_pc_is_never_sent() {
   build_controller "$LAB/pc/walker"
   expect 0
   cmp -s "$program" "$LAB/pc/walker/walker" && fail "the student's own build would be sent"
-  for compiler in /usr/bin/g++ '/usr/bin/g++ -static' 'i686-linux-gnu-g++ -no-pie'; do  # the last one requires a loader
+  # Names that only the shell can read; the last program requires a loader.
+  for compiler in "/usr/bin/g'+'+" "/usr/bin/g'+'+ -static" "i686-linux-gnu-g'+'+ -no-pie"; do
     printf 'all:\n\t%s main.cpp -o walker\n' "$compiler" >"$LAB/pc/walker/Makefile.darwin-op"
     build_controller "$LAB/pc/walker"
     expect 1

@@ -84,6 +84,7 @@ configure_file(tools/cmake/darwinop.pc.in darwinop.pc @ONLY)
 configure_file(tools/cmake/Makefile.include.in Makefile.include @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/darwinop.pc" DESTINATION "${pc_dir}" COMPONENT sdk)
 install(FILES "${PROJECT_BINARY_DIR}/Makefile.include" DESTINATION "${CMAKE_INSTALL_DATADIR}/darwinop" COMPONENT sdk)
+install(PROGRAMS tools/cmake/make.sh RENAME make DESTINATION "${CMAKE_INSTALL_DATADIR}/darwinop/bin" COMPONENT sdk)
 install(PROGRAMS tools/cmake/old-make.sh RENAME old-make DESTINATION "${CMAKE_INSTALL_DATADIR}/darwinop" COMPONENT sdk)
 
 # Makefile.include reads it, and others who build for the robot without CMake.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds a controller with a full Makefile, as they were before September 2013: absolute paths of Webots and ROBOTIS,
 # rules of its own. Compilers and make are found in a folder of replacements, which are links to this script.
-#   old-make [MAKEFILE [ARGUMENT OF make]...]      MAKEFILE: Makefile.darwin-op
+#   old-make [MAKEFILE [ARGUMENT OF make]...]      MAKEFILE: Makefile.darwin-op; bin/make calls it
 # Prints one line with what was replaced.
 set -u
 
@@ -98,6 +98,12 @@ write_additions() {
   printf 'MAKE := make\n'
 }
 
+# Tools without folder, target and version: /usr/bin/g++-4.4, $(CROSS)g++. At the start of a word; no option.
+tools_by_name() { # MAKEFILE
+  sed -E "s|\r\$||
+    s#(^|[[:space:]=;&|@])([A-Za-z0-9_./\$][A-Za-z0-9_./(){}\$-]*[/)}-])?(g\+\+|gcc|c\+\+|ar|ranlib|strip)(-[0-9.]+)?([[:space:];&|]|\$)#\1\3\5#g" "$1"
+}
+
 # One line; nothing if no compiler ran.
 report() { # MAKEFILE
   [ -s "$DARWINOP_OLD_MAKE/replaced" ] || return 0
@@ -123,8 +129,8 @@ main() {
   for name in g++ gcc c++ cc clang++ clang make; do ln -s "$self" "$DARWINOP_OLD_MAKE/$name"; done
   write_additions >"$DARWINOP_OLD_MAKE/additions.mk"
   # Makefile.include of upstream is ours; its other files are optional.
-  sed "s|^\\( *-\\{0,1\\}include \\).*/Makefile\\.include *\$|\\1$data/Makefile.include|
-    s|^ *include  *\\([/\$]\\)|-include \\1|" "$makefile" >"$DARWINOP_OLD_MAKE/makefile"
+  tools_by_name "$makefile" | sed "s|^\\( *-\\{0,1\\}include \\).*/Makefile\\.include *\$|\\1$data/Makefile.include|
+    s|^ *include  *\\([/\$]\\)|-include \\1|" >"$DARWINOP_OLD_MAKE/makefile"
   PATH=$DARWINOP_OLD_MAKE:$PATH "$DARWINOP_REAL_MAKE" -f "$DARWINOP_OLD_MAKE/makefile" -f "$DARWINOP_OLD_MAKE/additions.mk" "$@"
   status=$?
   report "$makefile"
