@@ -12,6 +12,20 @@ find_robot_sdk() {
   esac
 }
 
+# A script, or a folder with scripts and nothing to compile.
+refuse_python() { # DIR
+  case $1 in
+    *.py) script=$1 ;;
+    *)
+      set -- "$1" "$1"/*.cpp "$1"/Makefile.darwin-op "$1"/*.py
+      for file; do [ -f "$file" ] && break; done
+      script=${file:-}
+      case $script in *.py) ;; *) return 0 ;; esac
+      ;;
+  esac
+  die "$script cannot be sent, because the robot's programs include no Python: run it on this PC with darwinop run --robot tcp://$target $script"
+}
+
 # Name and folder of a controller. As in upstream, the name is the folder's.
 name_controller() { # DIR -> controller_folder controller_name
   [ -d "$1" ] || die "folder $1 does not exist: specify the folder with the controller's sources"
@@ -138,6 +152,7 @@ find_program() { # -> controller_program
 
 # Warnings are printed; errors end the command after the compiler's output.
 compile_controller() { # DIR
+  refuse_python "$1"
   find_robot_sdk
   name_controller "$1"
   check_controller_files "$controller_folder"

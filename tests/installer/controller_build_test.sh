@@ -213,6 +213,22 @@ scenario_what_cannot_be_sent_is_refused_first() {
   expect_said 'is not a file or folder'
 }
 
+scenario_a_controller_in_python_is_refused_with_what_runs_it() {
+  mkdir -p "$LAB/pc/walker"
+  echo 'from controller import Robot' >"$LAB/pc/walker/walk.py"
+  for what in walker walker/walk.py missing.py; do
+    sdk=$LAB/none build_controller "$LAB/pc/$what"
+    expect 1
+    script=$LAB/pc/${what%walk.py}
+    [ "$what" = missing.py ] || script=$LAB/pc/walker/walk.py
+    expect_said "darwinop run --robot tcp://darwin@192.168.123.1 $script\$"
+    [ "$(wc -l <"$LAB/said")" = 1 ] || fail "it is not one line"
+  done
+  controller walker 'return 7;'  # a folder with both is compiled
+  build_controller "$LAB/pc/walker"
+  expect 0
+}
+
 scenario_without_library_or_sources_it_says_what_to_do() {
   controller walker 'return 0;'
   sdk=$LAB/none build_controller "$LAB/pc/walker"
