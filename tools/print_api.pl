@@ -47,16 +47,19 @@ sub add_member {
 
 sub parse {
   my ($file) = @_;
-  my ($name, $public, $statement, @comment) = ('', 0, '');
+  my ($name, $public, $protected, $statement, @comment) = ('', 0, 0, '');
   for my $line (split /\n/, read_file($file)) {
     if ($line =~ m{^\s*///\s?(.*)}) {
       push @comment, $1;
     } elsif ($line =~ /DARWINOP_ABSENT_DEVICES\(DARWINOP_GETTER\)/) {
       add_member($name, "get$_(const std::string& name) const;", 'Absent here: NULL, with one warning per name.') for absent_devices();
+    } elsif ($line =~ /DARWINOP_ABSENT_DEVICES\(DARWINOP_MAKER\)/) {
+      add_member($name, "create$_(const std::string& name) const;", 'Absent here: NULL.') for absent_devices();
     } elsif ($line =~ /^\s*(public|protected|private):/) {
-      ($public, @comment) = $1 eq 'public';
+      ($public, @comment) = $1 ne 'private';
+      $protected = $1 eq 'protected';
     } elsif ($statement eq '' && $line =~ /^(?:class|struct)\s+(\w+)(?:\s*:\s*public\s+([\w:]+))?\s*\{\s*(\};)?$/) {
-      ($name, $public, @comment) = ($1, 0);
+      ($name, $public, $protected, @comment) = ($1, 0, 0);
       $class{$name} = {file => $file, base => $2 // '', members => [], constants => [], struct => $line =~ /^struct/ ? 1 : 0};
       push @order, $name;
     } elsif ($line =~ /^};/) {
@@ -70,7 +73,8 @@ sub parse {
       next if $line =~ /^#/;
       $statement .= "$line ";
       next if ($statement =~ tr/{//) != ($statement =~ tr/}//) || $statement !~ /[;}]\s*$/;
-      add_member($name, $statement, join ' ', @comment);
+      # Of protected members controllers override makers of devices.
+      add_member($name, $statement, join ' ', @comment) unless $protected && $statement !~ /^\s*virtual .*\bcreate[A-Z]\w*\(/;
       ($statement, @comment) = ('');
     }
   }

@@ -18,7 +18,11 @@ namespace messages = darwinop::webots_api::messages;
 
 #define DARWINOP_GETTER(CLASS)                              \
   CLASS* Robot::get##CLASS(const std::string& name) const { \
-    warnNoDevice("get" #CLASS, name);                       \
+    CLASS* const made = create##CLASS(name);                \
+    if (made == nullptr) warnNoDevice("get" #CLASS, name);  \
+    return made;                                            \
+  }                                                         \
+  CLASS* Robot::create##CLASS(const std::string&) const {   \
     return nullptr;                                         \
   }
 DARWINOP_ABSENT_DEVICES(DARWINOP_GETTER)

@@ -8,8 +8,6 @@ namespace webots {
 Device::Device(const std::string& name, int node_type, darwinop::webots_api::RobotImpl& robot)
     : robot_(robot), name_(name), node_type_(node_type), tag_(robot.nextTag()) {}
 
-Device::~Device() = default;
-
 void Device::refresh() {}
 
 std::string Device::getModel() const {

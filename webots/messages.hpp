@@ -8,6 +8,10 @@ inline constexpr const char* kAskedToEnd = "asked to end before the robot was re
 
 // After the call that asked for a device which this robot does not have.
 inline constexpr const char* kNoSuchDevice = ": this robot has no such device; it returns NULL";
+// After a device that a controller makes by name.
+inline constexpr const char* kNoDeviceToMake =
+    ": this robot has no such device; make one of a name that getDevice() finds";
+inline constexpr const char* kNoRobotYet = ": make the Robot first; a device belongs to it";
 // Calls that exist in simulation only.
 inline constexpr const char* kNoJoystick = "Joystick: this robot reads no joystick: it is never connected";
 inline constexpr const char* kNoMouse = "Mouse: this robot reads no mouse: it is never in the window";

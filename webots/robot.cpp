@@ -1,17 +1,10 @@
 // webots::Robot.
 #include "webots/Robot.hpp"
 
-#include "webots/Accelerometer.hpp"
-#include "webots/Camera.hpp"
-#include "webots/Gyro.hpp"
+#include <fstream>
+
 #include "webots/Keyboard.hpp"
-#include "webots/LED.hpp"
-#include "webots/Motor.hpp"
 #include "webots/Node.hpp"
-#include "webots/PositionSensor.hpp"
-#include "webots/Servo.hpp"
-#include "webots/Speaker.hpp"
-#include "webots/TouchSensor.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 
@@ -23,11 +16,14 @@ using webots_api::warnOnce;
 namespace {
 Robot* instance = nullptr;
 
-template <class T>
-T* deviceAs(const webots_api::RobotImpl& robot, const std::string& name, const char* call) {
-  auto* const device = dynamic_cast<T*>(robot.find(name));
-  if (!device) webots_api::warnNoDevice(call, name);
-  return device;
+/// Name of the program without its folder, then its arguments.
+std::vector<std::string> programArguments() {
+  std::ifstream in{"/proc/self/cmdline", std::ios::binary};
+  std::vector<std::string> arguments;
+  for (std::string argument; std::getline(in, argument, '\0');) arguments.push_back(argument);
+  if (arguments.empty()) arguments.emplace_back();
+  arguments.front().erase(0, arguments.front().rfind('/') + 1);
+  return arguments;
 }
 }  // namespace
 
@@ -80,47 +76,12 @@ double Robot::getBasicTimeStep() const {
   return impl_->config().time_step_ms;
 }
 
-Accelerometer* Robot::getAccelerometer(const std::string& name) const {
-  return deviceAs<Accelerometer>(*impl_, name, "getAccelerometer");
-}
-Camera* Robot::getCamera(const std::string& name) const {
-  return deviceAs<Camera>(*impl_, name, "getCamera");
-}
-Gyro* Robot::getGyro(const std::string& name) const {
-  return deviceAs<Gyro>(*impl_, name, "getGyro");
-}
 Keyboard* Robot::getKeyboard() const {
   return &impl_->keyboard();
-}
-LED* Robot::getLED(const std::string& name) const {
-  return deviceAs<LED>(*impl_, name, "getLED");
-}
-Motor* Robot::getMotor(const std::string& name) const {
-  return deviceAs<Motor>(*impl_, name, "getMotor");
-}
-PositionSensor* Robot::getPositionSensor(const std::string& name) const {
-  return deviceAs<PositionSensor>(*impl_, name, "getPositionSensor");
-}
-Servo* Robot::getServo(const std::string& name) const {
-  return deviceAs<Servo>(*impl_, name, "getServo");
-}
-Speaker* Robot::getSpeaker(const std::string& name) const {
-  return deviceAs<Speaker>(*impl_, name, "getSpeaker");
-}
-TouchSensor* Robot::getTouchSensor(const std::string& name) const {
-  return deviceAs<TouchSensor>(*impl_, name, "getTouchSensor");
-}
-Device* Robot::getDevice(const std::string& name) const {
-  return deviceAs<Device>(*impl_, name, "getDevice");
 }
 
 int Robot::getNumberOfDevices() const {
   return static_cast<int>(impl_->devices().size());
-}
-
-Device* Robot::getDeviceByIndex(int index) const {
-  if (index < 0 || index >= getNumberOfDevices()) return nullptr;
-  return impl_->devices()[static_cast<std::size_t>(index)].get();
 }
 
 void Robot::batterySensorEnable(int sampling_period) {
@@ -153,6 +114,17 @@ int Robot::keyboardGetKey() const {
 std::string Robot::getProjectPath() const {
   return webots_api::programDirectory();
 }
+std::string Robot::getControllerName() const {
+  return programArguments().front();
+}
+
+std::string Robot::getControllerArguments() const {
+  const std::vector<std::string> arguments = programArguments();
+  std::string joined;
+  for (std::size_t i = 1; i < arguments.size(); ++i) joined += (i > 1 ? " " : "") + arguments[i];
+  return joined;
+}
+
 std::string Robot::getCustomData() const {
   return impl_->custom_data;
 }

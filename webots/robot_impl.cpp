@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "connect/keys.hpp"
@@ -114,7 +115,7 @@ bool RobotImpl::carryOn(int ms) {
   if (over_ || getpid() != process_) return false;
   takeMotors(ms);
   if (!session_.carryOn(commands_, std::chrono::milliseconds{ms})) return false;
-  for (const auto& device : devices_) device->refresh();
+  refreshDevices();
   return true;
 }
 
@@ -127,8 +128,30 @@ void RobotImpl::comeToRest() {
 
 /// Controllers may keep the pointers of getValues() and getImage(); their data must be updated in every step.
 void RobotImpl::refresh() {
-  for (const auto& device : devices_) device->refresh();
+  refreshDevices();
   keyboard_.refresh(seconds());
+}
+
+void RobotImpl::refreshDevices() {
+  for (const auto& device : devices_) device->refresh();
+  for (webots::Device* const device : seconds_) device->refresh();
+}
+
+webots::Device* RobotImpl::keep(webots::Device* device) {
+  const bool is_second = std::ranges::find(seconds_, device) != seconds_.end();
+  const bool is_kept = std::ranges::any_of(kept_, [device](const auto& kept) { return kept.get() == device; });
+  if (is_second && !is_kept) kept_.emplace_back(device);
+  return device;
+}
+
+/// The controller deletes it while the robot exists.
+void RobotImpl::removeSecond(const webots::Device* device) {
+  std::erase(seconds_, device);
+  std::erase_if(made_, [device](const auto& entry) { return entry.second == device; });
+  const auto kept = std::ranges::find_if(kept_, [device](const auto& owned) { return owned.get() == device; });
+  if (kept == kept_.end()) return;
+  static_cast<void>(kept->release());
+  kept_.erase(kept);
 }
 
 webots::Device* RobotImpl::find(const std::string& name) const {

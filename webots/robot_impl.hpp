@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/goals/motor_control.hpp"
@@ -56,6 +57,13 @@ class RobotImpl {
   /// Device by name; null: the robot has no such device.
   [[nodiscard]] webots::Device* find(const std::string& name) const;
   [[nodiscard]] const std::vector<std::unique_ptr<webots::Device>>& devices() const { return devices_; }
+  /// What a getter returned for a name; null: nothing yet.
+  [[nodiscard]] webots::Device*& made(const char* getter, const std::string& name) { return made_[{getter, name}]; }
+  /// Takes over an object that a controller's class made, and returns it; no effect for the robot's own and for null.
+  webots::Device* keep(webots::Device* device);
+  /// A second object for one of the devices, made by a controller: refreshed as the first one.
+  void addSecond(webots::Device* device) { seconds_.push_back(device); }
+  void removeSecond(const webots::Device* device);
   [[nodiscard]] int nextTag() const { return static_cast<int>(devices_.size()) + 1; }
 
   /// Robot time since begin(), s.
@@ -94,6 +102,7 @@ class RobotImpl {
   void addLentGain(std::size_t joint);
   void takeMotors(int ms);
   void refresh();
+  void refreshDevices();
 
   ControllerConfig config_;
   const std::atomic<bool>& stop_;
@@ -107,6 +116,9 @@ class RobotImpl {
   std::array<bool, kJoints> was_lent_{};  // overridden before: from then on every image sets the gain
   webots::Keyboard keyboard_{*this};
   std::vector<std::unique_ptr<webots::Device>> devices_;
+  std::vector<webots::Device*> seconds_;
+  std::vector<std::unique_ptr<webots::Device>> kept_;                    // those of seconds_ that the robot deletes
+  std::map<std::pair<std::string, std::string>, webots::Device*> made_;  // by getter and name
   std::map<std::string, webots::Device*, std::less<>> by_name_;
 };
 

@@ -37,6 +37,13 @@ bool Supervisor::movieFailed() const {
   notHere("movieFailed()");
   return true;
 }
+int Supervisor::movieGetStatus() const {
+  notHere("movieGetStatus()");
+  return MOVIE_READY;
+}
+int Supervisor::getMovieStatus() const {
+  return movieGetStatus();
+}
 
 // One row per call: result, name, types of the arguments, const.
 #define DARWINOP_NOT_HERE(RESULT, NAME, ARGUMENTS, CONST) \

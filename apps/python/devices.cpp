@@ -37,6 +37,7 @@ void bindDevices(py::module_& module) {
   reads(device, "getName", &Device::getName);
   reads(device, "getModel", &Device::getModel);
   reads(device, "getNodeType", &Device::getNodeType);
+  reads(device, "getType", &Device::getType);
   reads(device, "getTag", &Device::getTag);
 
   DeviceClass<LED, Device> led{module, "LED", py::dynamic_attr()};

@@ -129,6 +129,8 @@ void bindRobot(py::module_& module) {
   reads(robot, "getType", &Robot::getType);
   reads(robot, "getBasicTimeStep", &Robot::getBasicTimeStep);
   reads(robot, "getProjectPath", &Robot::getProjectPath);
+  reads(robot, "getControllerName", &Robot::getControllerName);
+  reads(robot, "getControllerArguments", &Robot::getControllerArguments);
   for (const char* name : {"setCustomData", "setData"}) robot.def(name, &Robot::setCustomData, py::arg("data"), kQuick);
   reads(robot, "getCustomData", &Robot::getCustomData, "setCustomData");
   robot.def("getData", &Robot::getData, kQuick);

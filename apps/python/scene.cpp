@@ -103,7 +103,11 @@ void bindNode(py::module_& module) {
                    {"VACUUM_GRIPPER", Node::VACUUM_GRIPPER},
                    {"VIEWPOINT", Node::VIEWPOINT},
                    {"WORLD_INFO", Node::WORLD_INFO},
-                   {"ZOOM", Node::ZOOM}});
+                   {"ZOOM", Node::ZOOM},
+                   {"CAMERA_ZOOM", Node::CAMERA_ZOOM},
+                   {"DIFFERENTIAL_WHEELS", Node::DIFFERENTIAL_WHEELS},
+                   {"SERVO", Node::SERVO},
+                   {"SUPERVISOR", Node::SUPERVISOR}});
 }
 
 void bindField(py::module_& module) {

@@ -42,6 +42,13 @@ class Robot(_darwinop.ConnectedRobot):
     def getInstance():
         return Robot.created
 
+    def getControllerName(self):
+        """Name of the script, without its folder and ending."""
+        return os.path.splitext(os.path.basename(sys.argv[0]))[0]
+
+    def getControllerArguments(self):
+        return " ".join(sys.argv[1:])
+
     def step(self, duration=None):
         """Sends the commands, waits `duration` ms (default: the basic time step), and takes a new sensor image.
 

@@ -16,6 +16,7 @@ _CALLS = {
         "animationStartRecording animationStopRecording saveWorld virtualRealityHeadsetIsUsed worldSave"
     ),
     True: "movieFailed movieIsReady",
+    0: "getMovieStatus movieGetStatus",
 }
 
 
@@ -23,6 +24,8 @@ class Supervisor(Robot):
     """A Robot whose calls on the simulation have no effect, each with one warning. getSupervisor() is False."""
 
     SIMULATION_MODE_PAUSE, SIMULATION_MODE_REAL_TIME, SIMULATION_MODE_RUN, SIMULATION_MODE_FAST = 0, 1, 2, 2
+
+    MOVIE_READY, MOVIE_RECORDING, MOVIE_SAVING, MOVIE_WRITE_ERROR, MOVIE_ENCODING_ERROR, MOVIE_SIMULATION_ERROR = range(6)
 
     @staticmethod
     def getSupervisorInstance():

@@ -13,6 +13,8 @@ namespace webots {
 /// Raw counts of the board, as in the simulator's model and in 2013, not SI units. Threads: see Robot.
 class Accelerometer : public Device {
  public:
+  /// The robot's device of this name, for Robot::createAccelerometer() and a class of your own; see Device.
+  explicit Accelerometer(const std::string& name);
   virtual ~Accelerometer();
   /// Stores `sampling_period` in ms. Values are read in every cycle anyway. Simulator: no values until enabled.
   virtual void enable(int sampling_period);

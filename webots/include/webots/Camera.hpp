@@ -3,6 +3,7 @@
 #define CAMERA_HPP
 
 #include <webots/Device.hpp>
+#include <webots/Robot.hpp>
 
 namespace darwinop {
 namespace webots_api {
@@ -39,6 +40,8 @@ class Camera : public Device {
   /// Value of getType().
   enum { WB_CAMERA_COLOR = 99 };
 
+  /// The robot's device of this name, for Robot::createCamera() and a class of your own; see Device.
+  explicit Camera(const std::string& name);
   virtual ~Camera();
   /// Opens the camera, which takes a moment, and takes a new picture every `sampling_period` ms at the end of a
   /// step; the hardware has 30 pictures/s at most. 0 or less: disable(). A camera that cannot be opened logs one

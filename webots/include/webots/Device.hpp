@@ -19,6 +19,10 @@ namespace webots {
 /// Devices belong to the Robot: get them with Robot::getMotor() and its siblings, never delete them. Threads: see
 /// Robot. Sampling periods are stored for the getters; a robot reads all sensors in every cycle, except camera and
 /// keyboard.
+///
+/// An object that a controller makes (`new LED("EyeLed")`, style of 2013) drives the same device; delete it before the
+/// Robot, unless Robot::createLED() or a sibling returned it. Without a Robot, or if the robot has no such device, the
+/// constructor logs the reason and ends the program with exit status 1.
 class Device {
  public:
   virtual ~Device();
@@ -28,11 +32,15 @@ class Device {
   std::string getModel() const;
   /// A Node::Type as a number; compare by name.
   int getNodeType() const { return node_type_; }
+  /// Same as getNodeType(), under an earlier name; no unit. Some devices have another getType().
+  int getType() const { return node_type_; }
   /// Number of this device on its robot, from 1. Fixed for a version of this library only.
   int getTag() const { return tag_; }
 
  protected:
   Device(const std::string& name, int node_type, darwinop::webots_api::RobotImpl& robot);
+  /// A second object for a device of the robot.
+  explicit Device(const Device* of_the_robot);
   darwinop::webots_api::RobotImpl& robot_;
 
  private:

@@ -13,6 +13,8 @@ namespace webots {
 /// The three back LEDs are on or off; EyeLed and HeadLed have colours. Threads: see Robot.
 class LED : public Device {
  public:
+  /// The robot's device of this name, for Robot::createLED() and a class of your own; see Device.
+  explicit LED(const std::string& name);
   virtual ~LED();
   /// EyeLed, HeadLed: 0 to 0xFFFFFF, 0xRRGGBB, of which the board shows 5 bits per colour; higher bits are ignored.
   /// Back LEDs: 0 is off, any other value is on (2013: 1 only). Shown at the next Robot::step(); LEDs set in one step

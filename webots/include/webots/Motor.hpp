@@ -32,6 +32,8 @@ class Motor : public Device {
   /// Kind of motor; all are ROTATIONAL.
   enum Type { ROTATIONAL = 0, LINEAR = 1 };
 
+  /// The robot's device of this name, for Robot::createMotor() and a class of your own; see Device.
+  explicit Motor(const std::string& name);
   virtual ~Motor();
 
   /// Goal in rad, clamped to the range of the joint. INFINITY or -INFINITY selects velocity control, see setVelocity().

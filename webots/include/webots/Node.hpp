@@ -111,7 +111,12 @@ class Node {
     VACUUM_GRIPPER,
     VIEWPOINT,
     WORLD_INFO,
-    ZOOM
+    ZOOM,
+    // Earlier names.
+    CAMERA_ZOOM = ZOOM,
+    DIFFERENTIAL_WHEELS = ROBOT,
+    SERVO = ROTATIONAL_MOTOR,
+    SUPERVISOR = ROBOT
   };
 
   virtual ~Node() {}
@@ -135,6 +140,9 @@ class Node {
   virtual bool isProto() const = 0;
   /// The PROTO.
   virtual Proto* getProto() const = 0;
+
+  /// Node of a PROTO's body by its DEF name.
+  virtual Node* getFromProtoDef(const std::string& name) const = 0;
 
   /// Number of fields.
   virtual int getNumberOfFields() const = 0;

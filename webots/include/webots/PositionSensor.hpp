@@ -3,6 +3,7 @@
 #define POSITION_SENSOR_HPP
 
 #include <webots/Device.hpp>
+#include <webots/Robot.hpp>
 
 namespace webots {
 
@@ -18,6 +19,8 @@ class PositionSensor : public Device {
   /// Kind of sensor; all are ROTATIONAL.
   enum Type { ROTATIONAL = 0, LINEAR = 1, ANGULAR = 0 };
 
+  /// The robot's device of this name, for Robot::createPositionSensor() and a class of your own; see Device.
+  explicit PositionSensor(const std::string& name);
   virtual ~PositionSensor();
   /// Stores `sampling_period` in ms. The position is read in every cycle anyway. Simulator: NaN until enabled.
   virtual void enable(int sampling_period);

@@ -216,6 +216,11 @@ class Robot {
   /// Same as setCustomData(), under an earlier name.
   void setData(const std::string& data);
 
+  /// Name of the program, without its folder. 2013: of the controller.
+  std::string getControllerName() const;
+  /// Arguments of the program, separated by blanks; empty: none.
+  std::string getControllerArguments() const;
+
   // Of the simulator only: without effect here; calls that would do something there log one warning.
 
   /// Absent here: empty; a robot has no world file.
@@ -246,6 +251,34 @@ class Robot {
   virtual void* windowCustomFunction(void* arg);
 
  protected:
+  // Makers of devices, to be overridden by a class that has device classes of its own:
+  //
+  //     virtual LED* createLED(const std::string& name) const { return new BlinkingLed(name); }  // class of LED
+  //
+  // The getter of the same name calls it once per name, and the robot deletes what it returned.
+
+  /// As getAccelerometer(); a new one at each call, where overridden.
+  virtual Accelerometer* createAccelerometer(const std::string& name) const;
+  /// As getCamera(); a new one at each call, where overridden.
+  virtual Camera* createCamera(const std::string& name) const;
+  /// As getGyro(); a new one at each call, where overridden.
+  virtual Gyro* createGyro(const std::string& name) const;
+  /// As getLED(); a new one at each call, where overridden.
+  virtual LED* createLED(const std::string& name) const;
+  /// As getMotor(); a new one at each call, where overridden.
+  virtual Motor* createMotor(const std::string& name) const;
+  /// As getPositionSensor(); a new one at each call, where overridden.
+  virtual PositionSensor* createPositionSensor(const std::string& name) const;
+  /// As getServo(); a new one at each call, where overridden.
+  virtual Servo* createServo(const std::string& name) const;
+  /// As getSpeaker(); a new one at each call, where overridden.
+  virtual Speaker* createSpeaker(const std::string& name) const;
+  /// As getTouchSensor(); a new one at each call, where overridden.
+  virtual TouchSensor* createTouchSensor(const std::string& name) const;
+#define DARWINOP_MAKER(CLASS) virtual CLASS* create##CLASS(const std::string& name) const;
+  DARWINOP_ABSENT_DEVICES(DARWINOP_MAKER)
+#undef DARWINOP_MAKER
+
   /// For tests: a robot that was made elsewhere; this object then owns it.
   explicit Robot(darwinop::webots_api::RobotImpl* impl);
 

@@ -9,6 +9,8 @@ namespace webots {
 /// Adds the method names of 2013 to Motor; units and rules are those of Motor.
 class Servo : public Motor {
  public:
+  /// The robot's device of this name, for Robot::createServo() and a class of your own; see Device.
+  explicit Servo(const std::string& name);
   virtual ~Servo();
   /// Same as setAvailableTorque(); N m, 0 to 2.5.
   virtual void setMotorForce(double force);

@@ -3,6 +3,7 @@
 #define SPEAKER_HPP
 
 #include <webots/Device.hpp>
+#include <webots/Robot.hpp>
 
 namespace darwinop {
 namespace webots_api {
@@ -22,6 +23,8 @@ namespace webots {
 /// docs/sound.md
 class Speaker : public Device {
  public:
+  /// The robot's device of this name, for Robot::createSpeaker() and a class of your own; see Device.
+  explicit Speaker(const std::string& name);
   virtual ~Speaker();
 
   /// Plays a file, mixed with up to 31 others. `volume` 0 to 1; `pitch` 0.5 to 2, changes the speed as well; `balance`

@@ -21,6 +21,16 @@ class Supervisor : public Robot {
     SIMULATION_MODE_FAST = 2
   };
 
+  /// States of movieGetStatus().
+  enum MovieStatus {
+    MOVIE_READY = 0,
+    MOVIE_RECORDING,
+    MOVIE_SAVING,
+    MOVIE_WRITE_ERROR,
+    MOVIE_ENCODING_ERROR,
+    MOVIE_SIMULATION_ERROR
+  };
+
   /// Same as Robot().
   Supervisor();
   virtual ~Supervisor();
@@ -68,10 +78,14 @@ class Supervisor : public Robot {
   /// Absent here: true.
   bool movieFailed() const;
   /// Absent here: no effect; pixels, `quality` 1 to 100. An earlier name.
-  virtual void startMovie(const std::string& filename, int width, int height, int codec, int quality, int acceleration,
-                          bool caption);
+  virtual void startMovie(const std::string& filename, int width, int height, int codec, int quality,
+                          int acceleration = 1, bool caption = false);
   /// Absent here: no effect. An earlier name.
   virtual void stopMovie();
+  /// Absent here: MOVIE_READY. An earlier name.
+  int movieGetStatus() const;
+  /// Absent here: MOVIE_READY. An earlier name.
+  int getMovieStatus() const;
   /// Absent here: false.
   virtual bool animationStartRecording(const std::string& filename);
   /// Absent here: false.

@@ -3,6 +3,7 @@
 #define TOUCH_SENSOR_HPP
 
 #include <webots/Device.hpp>
+#include <webots/Robot.hpp>
 
 namespace webots {
 
@@ -16,6 +17,8 @@ class TouchSensor : public Device {
   /// Kind of sensor; both are BUMPER.
   enum Type { BUMPER = 0, FORCE = 1, FORCE3D = 2 };
 
+  /// The robot's device of this name, for Robot::createTouchSensor() and a class of your own; see Device.
+  explicit TouchSensor(const std::string& name);
   virtual ~TouchSensor();
   /// Stores `sampling_period` in ms. Buttons are read in every cycle anyway. Simulator: NaN until enabled.
   virtual void enable(int sampling_period);

@@ -37,6 +37,7 @@ void useRobot(Robot *robot) {
   text = robot->getCustomData();
   robot->setData(text);
   text = robot->getData();
+  text = robot->getControllerName() + robot->getControllerArguments();
   robot->getTime();
   robot->getBasicTimeStep();
   const Robot::Mode mode = robot->getMode();
@@ -53,7 +54,7 @@ void useRobot(Robot *robot) {
       return;
     device->getModel();
     device->getTag();
-    if (device->getNodeType() == Node::NO_NODE)
+    if (device->getNodeType() == Node::NO_NODE || device->getType() == Node::CAMERA_ZOOM)
       return;
   }
   robot->batterySensorEnable(16);

@@ -113,6 +113,7 @@ static void useNode(Node *node) {
   useField(node->getField("translation"));
   useField(node->getBaseNodeField("translation"));
   useField(node->getProtoField("translation"));
+  useNode(node->getFromProtoDef("HEAD"));
   node->getPosition();
   node->getOrientation();
   node->getPose();
@@ -170,7 +171,13 @@ void useWorld(Supervisor *supervisor) {
   supervisor->movieFailed();
   supervisor->movieStopRecording();
   supervisor->startMovie("movie.mp4", 640, 480, 0, 90, 1, false);
+  supervisor->startMovie("movie.mp4", 640, 480, 0, 90);
   supervisor->stopMovie();
+  const int status = supervisor->movieGetStatus();
+  if (status == Supervisor::MOVIE_RECORDING || status == Supervisor::MOVIE_SAVING || status == Supervisor::MOVIE_WRITE_ERROR ||
+      status == Supervisor::MOVIE_ENCODING_ERROR || status == Supervisor::MOVIE_SIMULATION_ERROR ||
+      supervisor->getMovieStatus() != Supervisor::MOVIE_READY)
+    return;
   supervisor->animationStartRecording("animation.html");
   supervisor->animationStopRecording();
   supervisor->virtualRealityHeadsetIsUsed();
