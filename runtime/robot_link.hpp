@@ -32,8 +32,10 @@ class RobotLink {
   /// Publishes commands; the loop uses the newest ones. Session and sequence numbers are filled in here. Never blocks.
   virtual void publish(Commands commands) = 0;
 
-  /// Waits until the loop has finished cycle number `cycle` (Sensors::cycle). False: `stop` is true, and later waits
-  /// may succeed; or the loop has ended (the daemon died): whyEnded() is then a message for the user.
+  /// Waits until the loop has finished cycle number `cycle` (Sensors::cycle). False: the controller must end, because
+  /// `stop` is true, because daemon or server were requested to end, which is reported once, or because the loop has
+  /// ended (the daemon died). In the first two cases later waits may succeed, for the last steps of a walk. whyEnded()
+  /// is then a message for the user, except after `stop`.
   [[nodiscard]] virtual bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) = 0;
 
   /// The destructor will not end the session: the robot holds, as after a controller crash, until the next session

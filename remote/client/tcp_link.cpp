@@ -78,7 +78,8 @@ bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
     step_ = static_cast<Nanos::rep>(cycle - stepped_to_) * server_.period;
     stepped_to_ = cycle;
   }
-  while (!stop.load() && why_ended_.empty()) {  // after a stop the last steps of a walk may follow
+  // After a stop or a request to end, the last steps of a walk may follow.
+  while (!stop.load() && why_ended_.empty() && !reportsEndRequest()) {
     if (shown_.cycle >= cycle) return true;
     if (connection_.state() != Connection::State::kOpen)
       reconnect();
@@ -120,10 +121,12 @@ void TcpLink::take(const Reply& reply) {
   if (!reply.extension) {
     server_.extended = false;
     takeLegacy(reply, before);
-  } else if (!reply.extension->why_ended.empty()) {
-    why_ended_ = text::printableLines(reply.extension->why_ended);
+  } else if (const auto why = text::printableLines(reply.extension->why_ended);
+             !why.empty() && (reply.extension->seen == nullptr || !isConnected(before))) {
+    why_ended_ = why;
     return connection_.close("");
   } else if (reply.extension->seen != nullptr) {
+    end_request_ = why;
     takeImage(*reply.extension, before);
   }
   if (last_request_.for_picture) pictures_.take(reply, now());

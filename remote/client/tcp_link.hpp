@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "remote/client/command_delta.hpp"
@@ -47,7 +48,7 @@ class TcpLink final : public runtime::RobotLink {
   /// Also sends the commands published last.
   void leaveHolding() override;
   [[nodiscard]] Sensors sensors() const override { return shown_; }
-  [[nodiscard]] std::string whyEnded() const override { return why_ended_; }
+  [[nodiscard]] std::string whyEnded() const override { return why_ended_.empty() ? end_request_ : why_ended_; }
   [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height) override;
 
  private:
@@ -84,6 +85,9 @@ class TcpLink final : public runtime::RobotLink {
   [[nodiscard]] Nanos expected(std::uint64_t cycle) const;
   [[nodiscard]] std::uint64_t cyclesOnTheWay(std::uint64_t cycle, Nanos held) const;
   [[nodiscard]] Nanos replyGrace() const;
+  [[nodiscard]] bool reportsEndRequest() {
+    return !end_request_.empty() && !std::exchange(end_request_reported_, true);
+  }
   void log(const std::string& message) const;
   [[nodiscard]] std::string name() const;
 
@@ -113,6 +117,8 @@ class TcpLink final : public runtime::RobotLink {
   Nanos step_{0};
   std::uint64_t stepped_to_ = 0;  // end of the present step of length step_
   std::string why_ended_;
+  std::string end_request_;  // the robot ends soon; a wait has returned false for it if it is `reported`
+  bool end_request_reported_ = false;
 };
 
 }  // namespace darwinop::remote

@@ -36,6 +36,7 @@ void LinkPort::startSession(SessionStart start) {
   if (home_ == Home::kDaemon) session_.emplace(connect_());
   session_->start();
   had_session_ = true;
+  end_request_.clear();
   if (!again) clearCommands();
   commands_.start_where_it_is = again || start_where_it_is_;
   commands_.unattended = again;
@@ -116,7 +117,10 @@ std::string LinkPort::endReason() {
     last_cycle_at_ = now;
   }
   if (std::string why = session_->faultEnd(seen); !why.empty()) return why;
-  if (std::string why = session_->loopEnd(seen); !why.empty()) return why;
+  if (std::string why = session_->loopEnd(seen); !why.empty()) {
+    if (!session_->loopEnd(seen).empty()) return why;
+    end_request_ = why;  // requested once, while the loop runs on for the last steps
+  }
   if (session_->link().realTime() && now - last_cycle_at_ > kDeadLoop) return kNoCycle;
   return {};
 }

@@ -40,6 +40,7 @@ class LinkPort final : public RobotPort {
   void apply(const Request& request) override;
   [[nodiscard]] Sensors sensors() override { return session_->sensors(); }
   [[nodiscard]] std::string endReason() override;
+  [[nodiscard]] std::string endRequest() override { return end_request_; }
   void hold() noexcept override;
   void endSession() noexcept override;
   [[nodiscard]] bool realTime() const override { return session_->link().realTime(); }
@@ -69,6 +70,7 @@ class LinkPort final : public RobotPort {
   std::optional<runtime::DriverSession> session_;
   std::vector<goals::MotorControl> motors_;  // by joint
   Commands commands_{};
+  std::string end_request_;
   std::uint64_t last_cycle_ = 0;
   Nanos applied_at_{0}, last_cycle_at_{0}, simulated_at_{0};
 };

@@ -38,6 +38,8 @@ class Client {
   Nanos last_request_at;           // time of the last complete request; before the first one, of the connection
   bool drives = false;             // has the lease
   bool has_driven = false;         // has had the lease
+  bool extended = false;           // its last request had the extension
+  std::string end_request;         // why it must end after its last steps; empty: it may go on
   Nanos session_start{0};          // when it got the lease
   Nanos request_at{0};             // when the present request arrived
   bool has_backlog = false;        // requests were read but not handled, because the rate limit was reached

@@ -18,6 +18,9 @@ inline constexpr const char* kUnknownSection = "received unknown message: byte "
 inline constexpr const char* kNoPictures = " requests pictures, but there are none: ";
 inline constexpr const char* kUnknownJoints = "sends 0 for joints above 19, which do not exist";
 
+// Why a client must end.
+inline constexpr const char* kServerEnds = "the server was requested to end; start it again with: darwinop remote";
+
 // Why a session is not resumed.
 inline constexpr const char* kTorqueSwitchedOff =
     "torque has been switched off in the meantime, at rest or by hand; start the controller again";

@@ -34,6 +34,10 @@ class RobotPort {
   /// Why the session must end, for example after torque was switched off by hand; otherwise empty.
   [[nodiscard]] virtual std::string endReason() = 0;
 
+  /// Why the robot's loop ends soon: a client may finish its last steps, until endReason() is not empty. Otherwise
+  /// empty. Call endReason() first.
+  [[nodiscard]] virtual std::string endRequest() { return {}; }
+
   /// Holds the present position and gives the lease back.
   virtual void hold() noexcept = 0;
 

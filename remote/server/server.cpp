@@ -36,6 +36,7 @@ Server::Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_p
 
 void Server::run(const std::atomic<bool>& stop) {
   while (!stop) poll(kPollInterval);
+  letClientEnd();
 }
 
 void Server::poll(Nanos longest) {
@@ -132,6 +133,7 @@ bool Server::resume(const Request& request) {
   if (request.extended) {
     addExtension(reply, request.extension, seen, newest, now_ - client_->request_at);
     reply.extension->real_time = robot_.realTime();
+    reply.extension->why_ended = client_->end_request;
   } else if (stale.never.any() && now_ - client_->session_start < kFirstValues) {
     client_->waiting = request;
     return false;

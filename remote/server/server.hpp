@@ -47,7 +47,8 @@ class Server {
   /// Waits at most `longest` for events and handles them.
   void poll(Nanos longest);
 
-  /// Serves until `stop` becomes true. Leaves an open session open: the accepted ends it.
+  /// Serves until `stop` becomes true; then up to 3 s more, for the last steps of a client with the extension, whose
+  /// replies request its end. Leaves the session of another client open: the caller ends it.
   void run(const std::atomic<bool>& stop);
 
   [[nodiscard]] std::uint16_t port() const { return listener_.port(); }
@@ -59,6 +60,8 @@ class Server {
   [[nodiscard]] bool handle(const Request& request);
   [[nodiscard]] bool resume(const Request& request);
   [[nodiscard]] bool mayDrive(const Request& request);
+  [[nodiscard]] bool startSession(const Request& request);
+  void letClientEnd();
   void refuse(const Request& request, const std::string& what, const std::string& why);
   [[nodiscard]] bool mustAwait(std::uint64_t cycle, const Sensors& seen) const;
   [[nodiscard]] JpegPicture picture(const Request& request);
@@ -84,6 +87,7 @@ class Server {
   net::RateLimiter rate_limiter_;
   net::Listener listener_;
   Nanos now_;
+  bool ends_ = false;  // since letClientEnd()
   std::optional<Client> client_;
   std::unique_ptr<PictureSource> pictures_;  // while a client drives that has requested one
 };

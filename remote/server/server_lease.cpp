@@ -23,30 +23,48 @@ std::string whyNotResumed(const SafetyReport& report, bool only_if_up) {
 }  // namespace
 
 bool Server::mayDrive(const Request& request) {
-  if (!client_->drives) {
-    try {
-      robot_.startSession(client_->has_driven ? SessionStart::kResumed : SessionStart::kNew);
-    } catch (const std::runtime_error& refused) {
-      refuse(request, "cannot drive the robot: ", refused.what());
-      return false;
-    }
-    const bool only_if_up = request.extended && request.extension.only_if_up;
-    const std::string changed =
-        only_if_up || client_->has_driven ? whyNotResumed(robot_.sensors().safety, only_if_up) : std::string{};
-    if (!changed.empty()) {
-      robot_.cancelSession();
-      refuse(request, "cannot resume: ", changed);
-      return false;
-    }
-    listener_.close();
-    log(client_->name() + (client_->has_driven ? " resumes driving" : messages::kDrives));
-    client_->drives = client_->has_driven = true;
-    client_->session_start = now_;
+  const bool starts = !client_->drives;
+  if (starts && !startSession(request)) return false;
+  client_->extended = request.extended;
+  std::string why = robot_.endReason();
+  if (why.empty()) {
+    why = client_->end_request = ends_ ? messages::kServerEnds : robot_.endRequest();
+    const bool may_finish = request.extended && !starts;
+    if (why.empty() || may_finish) return true;
   }
-  const std::string why = robot_.endReason();
-  if (why.empty()) return true;
   refuse(request, "must end: ", why);
   return false;
+}
+
+/// False: the client was refused.
+bool Server::startSession(const Request& request) {
+  try {
+    robot_.startSession(client_->has_driven ? SessionStart::kResumed : SessionStart::kNew);
+  } catch (const std::runtime_error& refused) {
+    refuse(request, "cannot drive the robot: ", refused.what());
+    return false;
+  }
+  const bool only_if_up = request.extended && request.extension.only_if_up;
+  const std::string changed =
+      only_if_up || client_->has_driven ? whyNotResumed(robot_.sensors().safety, only_if_up) : std::string{};
+  if (!changed.empty()) {
+    robot_.cancelSession();
+    refuse(request, "cannot resume: ", changed);
+    return false;
+  }
+  listener_.close();
+  log(client_->name() + (client_->has_driven ? " resumes driving" : messages::kDrives));
+  client_->drives = client_->has_driven = true;
+  client_->session_start = now_;
+  return true;
+}
+
+/// As the daemon does: a walk finishes its steps within 2.9 s.
+void Server::letClientEnd() {
+  constexpr Nanos kPatience{3'000'000'000}, kCheckInterval{100'000'000};
+  ends_ = true;
+  const Nanos give_up = clock_() + kPatience;
+  while (client_ && client_->drives && client_->extended && clock_() < give_up) poll(kCheckInterval);
 }
 
 /// Sends the reason to clients with the extension, then disconnects.

@@ -7,8 +7,7 @@
 #include <optional>
 
 #include "remote/client/messages.hpp"
-#include "remote/protocol/units.hpp"
-#include "scripted_server.hpp"
+#include "scripted_robot.hpp"
 
 namespace darwinop::remote {
 namespace {
@@ -17,59 +16,6 @@ using testing::HasSubstr;
 using namespace std::chrono_literals;
 
 const std::atomic<bool> kGoOn{false};
-
-/// A robot that has run the requested cycle, in simulated time, so that the machine's speed does not matter.
-struct ScriptedRobot {
-  bool real_time = false;
-  std::atomic<bool> silent{false};
-  std::atomic<Nanos> delay{0ms};  // of the next reply
-  bool delay_is_held = false;     // its loop stands still during the delay
-  std::uint64_t first_cycle = 1000;
-  std::string must_end;
-  std::vector<std::uint8_t> jpeg;
-
-  Answer operator()(const Request& request, int connection) {
-    Answer answer;
-    if (silent) return answer;
-    if (const Nanos pause = delay.exchange(0ms); pause > 0ms) {
-      std::this_thread::sleep_for(pause);
-      if (delay_is_held) return answered(request, first_cycle, pause);
-    }
-    return answered(request,
-                    std::max<std::uint64_t>(request.extension.until_cycle,
-                                            first_cycle + 100 * static_cast<std::uint64_t>(connection)),
-                    0ms);
-  }
-
- private:
-  [[nodiscard]] Answer answered(const Request& request, std::uint64_t cycle, Nanos held) const {
-    Answer answer;
-    Sensors seen;
-    seen.cycle = cycle;
-    seen.time_ns = static_cast<std::int64_t>(seen.cycle) * 16'000'000;
-    seen.period_ns = 16'000'000;
-    seen.safety.state = State::kDriven;
-    seen.board.motion.received();
-    seen.board.buttons = 2;
-    seen.board.voltage = Volt{11.5};
-    for (std::size_t i = 0; i < kJoints; ++i) {
-      seen.joint[i].motion.received();
-      seen.joint[i].position = Rad{0.25};
-    }
-    Reply reply;
-    for (std::size_t i = 0; i < request.positions.size(); ++i) (void)reply.positions.add(2500);
-    for (std::size_t i = 0; i < request.torques.size(); ++i) (void)reply.torques.add(-12500);
-    reply.accelerometer = reply.gyro = {512, 512, 640};
-    if (request.camera) reply.jpeg = jpeg;
-    reply.extension = ReplyExtension{.real_time = real_time,
-                                     .held_us = static_cast<std::uint32_t>(held / 1us),
-                                     .picture = 5,
-                                     .seen = &seen,
-                                     .why_ended = must_end};
-    writeReply(request, reply, answer.bytes);
-    return answer;
-  }
-};
 
 /// Replies as a server of 2013, without the extension.
 struct OldRobot : ScriptedRobot {
@@ -202,6 +148,20 @@ TEST_F(TcpLinkTest, ReportsWhyTheSessionMustEnd) {
   robot.must_end = "the MODE button was held";
   EXPECT_FALSE(stepOf(*tcp));
   EXPECT_EQ(tcp->whyEnded(), "the MODE button was held");
+}
+
+TEST_F(TcpLinkTest, ReportsOnceThatTheRobotEndsAndThenWaitsForTheLastSteps) {
+  ScriptedRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  {
+    const auto tcp = link(server.port());
+    ASSERT_TRUE(stepOf(*tcp));
+    robot.end_request = "the runtime ends";
+    EXPECT_FALSE(stepOf(*tcp));
+    EXPECT_EQ(tcp->whyEnded(), "the runtime ends");
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(stepOf(*tcp)) << tcp->whyEnded();
+  }
+  EXPECT_TRUE(server.requests().back().extension.end_of_session);
 }
 
 TEST_F(TcpLinkTest, EscapesControlCharactersInTextOfAServer) {

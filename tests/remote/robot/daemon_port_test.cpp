@@ -12,6 +12,7 @@
 #include "runtime/daemon.hpp"
 #include "runtime/daemon_link.hpp"
 #include "runtime/fake_bus.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/operator.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -29,10 +30,9 @@ class RemoteDaemonPort : public testing::Test {
     config.period = 4ms;
     daemon = std::make_unique<runtime::Daemon>(config, files, runtime::claimRuntime(files, getgid()), getgid(),
                                                std::make_unique<runtime::FakeBus>());
-    std::thread{[&daemon] {
-      static const std::atomic<bool> never{false};
-      (void)daemon->run(never);
-    }}.detach();
+    static std::atomic<bool> stop{false};
+    std::signal(SIGTERM, [](int) { stop = true; });
+    std::thread{[&daemon] { (void)daemon->run(stop); }}.detach();
   }
 
   static Request neckTo(double rad) {
@@ -118,6 +118,21 @@ TEST_F(RemoteDaemonPort, EndsWhenAnOperatorReleasesTheRobot) {
   obeyUntil(neckTo(0.1), [this] { return seen().safety.state == State::kDriven; });
   runtime::releaseRobot(files_);
   EXPECT_THAT(port_.endReason(), HasSubstr(std::string{row(Fault::kReleasedByOperator).meaning}));
+}
+
+TEST_F(RemoteDaemonPort, ADaemonThatEndsStillTakesTheLastSteps) {
+  port_.startSession(SessionStart::kNew);
+  obeyUntil(neckTo(0.1), [this] { return seen().safety.state == State::kDriven; });
+  EXPECT_EQ(port_.endRequest(), "");
+  ASSERT_EQ(::kill(child_.pid(), SIGTERM), 0);
+  obeyUntil(neckTo(0.1), [this] { return !port_.endReason().empty() || !port_.endRequest().empty(); });
+  EXPECT_EQ(port_.endRequest(), runtime::messages::kRuntimeEnds);
+  obeyUntil(neckTo(0.2), [this] { return std::abs(neck() - 0.2) < 0.01; });
+  EXPECT_EQ(port_.endReason(), "");
+  EXPECT_EQ(seen().safety.state, State::kDriven);
+  port_.endSession();
+  for (int i = 0; i < 2500 && seen().safety.state != State::kKneeling; ++i) std::this_thread::sleep_for(2ms);
+  EXPECT_EQ(seen().safety.state, State::kKneeling);
 }
 
 TEST_F(RemoteDaemonPort, DetectsThatTheDaemonWasKilled) {

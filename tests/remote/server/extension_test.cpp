@@ -148,6 +148,70 @@ TEST(RemoteExtension, SendsTheReasonBeforeItDisconnects) {
   EXPECT_EQ(refused->extension->why_ended, "another controller drives");
 }
 
+TEST(RemoteExtension, AClientMayFinishItsStepsWhenTheRobotEnds) {
+  Served served;
+  ExtendedClient client{served};
+  (void)client.ask(extendedRequest());
+  served.robot.end_request = "the runtime ends";
+  for (int step = 0; step < 3; ++step) {
+    const auto reply = client.ask(extendedRequest());
+    ASSERT_TRUE(reply && reply->extension->seen);
+    EXPECT_EQ(reply->extension->why_ended, "the runtime ends");
+  }
+  EXPECT_EQ(served.robot.applied.size(), 4);
+  EXPECT_TRUE(client.ask(extendedRequest({.end_of_session = true})));
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "end"));
+
+  ExtendedClient next{served};
+  const auto refused = next.ask(extendedRequest());
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->extension->seen, nullptr) << "nobody starts now";
+  EXPECT_EQ(refused->extension->why_ended, "the runtime ends");
+  EXPECT_TRUE(next.shownOut());
+}
+
+TEST(RemoteExtension, AClientOf2013IsDisconnectedWhenTheRobotEnds) {
+  Served served;
+  TestClient client{served};
+  (void)client.ask(kEmptyRequest);
+  served.robot.end_request = "the runtime ends";
+  client.send(kNeckRequest);
+  EXPECT_TRUE(client.shownOut());
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "hold"));
+}
+
+TEST(RemoteExtension, AServerThatEndsLetsItsClientFinishItsSteps) {
+  Served served;
+  ExtendedClient client{served};
+  (void)client.ask(extendedRequest());
+  const std::atomic<bool> stop{true};
+  int steps = 0;
+  served.robot.on_apply = [&] {
+    EXPECT_TRUE(steps == 0 || client.receive().size() > std::string_view{messages::kServerEnds}.size());
+    client.sendOnly(bytesToSend(extendedRequest({.end_of_session = ++steps == 3})));
+  };
+  client.sendOnly(bytesToSend(extendedRequest()));
+  served.server.run(stop);
+  EXPECT_EQ(steps, 4);
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "end"));
+}
+
+TEST(RemoteExtension, AServerThatEndsWaitsForItsClientForThreeSeconds) {
+  Served served;
+  ExtendedClient client{served};
+  (void)client.ask(extendedRequest());
+  const Nanos begun = served.now;
+  served.robot.on_apply = [&] {
+    served.now += 400ms;
+    (void)client.receive();
+    client.sendOnly(bytesToSend(extendedRequest()));
+  };
+  client.sendOnly(bytesToSend(extendedRequest()));
+  served.server.run(std::atomic<bool>{true});
+  EXPECT_LE(served.now - begun, 3400ms);
+  EXPECT_GE(served.now - begun, 3000ms);
+}
+
 TEST(RemoteExtension, AResumedSessionDoesNotStartARobotWhoseTorqueIsOff) {
   Served served;
   served.robot.seen.safety.state = State::kHolding;

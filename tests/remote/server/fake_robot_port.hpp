@@ -14,7 +14,7 @@ struct FakeRobotPort final : RobotPort {
   std::vector<std::string> events;  // "new", "resumed", "hold"
   std::vector<Request> applied;
   Sensors seen{};
-  std::string refusal, must_end;
+  std::string refusal, must_end, end_request;
   bool driven = false;
   std::function<void()> on_apply{};  // what else a request does, for example take time
 
@@ -44,6 +44,7 @@ struct FakeRobotPort final : RobotPort {
   }
   Sensors sensors() override { return seen; }
   std::string endReason() override { return must_end; }
+  std::string endRequest() override { return end_request; }
   void hold() noexcept override {
     events.emplace_back("hold");
     driven = false;

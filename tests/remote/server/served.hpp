@@ -76,9 +76,11 @@ class TestClient {
 
   [[nodiscard]] bool connected() const { return connected_; }
   void send(const ByteList& bytes) {
-    (void)::send(socket_.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    sendOnly(bytes);
     served_.poll();
   }
+  /// Without letting the server handle it.
+  void sendOnly(const ByteList& bytes) { (void)::send(socket_.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL); }
   void send(const std::string& hex) { send(fromHex(hex)); }
   void close() {
     socket_.close();
