@@ -121,7 +121,7 @@ void GaitWalker::finish() {
   if (robot == nullptr || !motors.exist() || !motors.areOurs() || !walk().walking()) return;
   player.stop();
   double remaining_ms = std::min(stopMs(walk().parameters()), kEndBoundMs);
-  for (; !walk().resting() && remaining_ms > 0; remaining_ms -= kEndStepMs) {
+  for (; !walk().resting() && remaining_ms >= kEndStepMs; remaining_ms -= kEndStepMs) {
     advance(kEndStepMs);
     if (!motors.carryOn(kEndStepMs)) return;
   }

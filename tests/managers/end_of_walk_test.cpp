@@ -16,6 +16,26 @@ class EndOfWalk : public GaitManager {
     steps(60 + step);
     ASSERT_NE(goals(), gait::kStanding.tick);
   }
+  /// A walk with this period_time, ms.
+  void walkWith(int period_ms, int step) {
+    stop = false;
+    manager_.reset();
+    end();
+    fake.published.clear();
+    write("[Walking Config]\nperiod_time = " + std::to_string(period_ms) + "\n");
+    walkInto(step);
+  }
+  /// Greatest change of a goal in a step, rad, from published[first] to the last one.
+  [[nodiscard]] double greatestChange(std::size_t first) const {
+    double change = 0;
+    for (std::size_t i = first + 1; i < fake.published.size(); ++i)
+      for (std::size_t joint = 0; joint < kWalking; ++joint)
+        change = std::max(change, std::abs(fake.published[i].joint[joint].goal.value -
+                                           fake.published[i - 1].joint[joint].goal.value));
+    return change;
+  }
+  static constexpr milliseconds kLongest{2900};
+  static constexpr std::size_t kStand = 400 / 16;  // steps
   /// The bound of docs/gait.md: 1.5 periods and what limited goals need, then 0.4 s of standing.
   static constexpr milliseconds kBound{2 * 600 + 600 + 400};
 };
@@ -123,6 +143,40 @@ TEST_F(EndOfWalk, ALoopThatHasGoneIsNotWaitedFor) {
   testing::internal::GetCapturedStderr();
   EXPECT_EQ(fake.now, before);
   EXPECT_LE(fake.published.size(), published + 2) << "by the step, and by one attempt to carry on";
+}
+
+TEST_F(EndOfWalk, APeriodOf1600MsIsFinishedWithinTheBound) {
+  for (int step = 0; step < 100; step += 9) {
+    walkWith(1600, step);
+    const Nanos before = fake.now;
+    stop = true;
+    EXPECT_EQ(robot().step(16), -1);
+    EXPECT_EQ(goals(), gait::kStanding.tick) << step;
+    EXPECT_LE(fake.now - before, kLongest) << step;
+  }
+}
+
+TEST_F(EndOfWalk, AStepThatTakesLongerStopsWhereItIs) {
+  constexpr int kPeriod = 3000 / 16, kFirst = 3;  // steps
+  const double kTick = radFromTicks(1).value - radFromTicks(0).value;
+  walkWith(3000, 2 * kPeriod);
+  const double usual = greatestChange(kFirst);
+  int unfinished = 0;
+  for (int step = 0; step < kPeriod; step += 17) {
+    walkWith(3000, step);
+    const std::size_t begun = fake.published.size();
+    const Nanos before = fake.now;
+    stop = true;
+    EXPECT_EQ(robot().step(16), -1);
+    EXPECT_LE(fake.now - before, kLongest) << step;
+    ASSERT_GT(fake.published.size() - begun, kStand) << step;
+    EXPECT_LE(greatestChange(begun - 1), usual + kTick) << "no jump at " << step;
+    EXPECT_EQ(greatestChange(fake.published.size() - kStand), 0) << "it stands still at " << step;
+    unfinished += goals() == gait::kStanding.tick ? 0 : 1;
+    end();
+    EXPECT_TRUE(fake.end_of_session);
+  }
+  EXPECT_GT(unfinished, 0);
 }
 
 TEST_F(EndOfWalk, SafetyIsNotInterfered) {

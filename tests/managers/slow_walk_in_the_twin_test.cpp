@@ -1,4 +1,4 @@
-// Walks of slow and of ending controllers in the twin.
+// Walks of slow controllers in the twin.
 #include <gtest/gtest.h>
 
 #include "twin_walk_rig.hpp"
@@ -28,21 +28,6 @@ TEST(RobotStyleInTheTwin, NeedsNoStepOfTheManagerInCodeOfTheRobot) {
   EXPECT_GT(walk.body().trunkPosition()[0], 0.3) << "m";
   EXPECT_GT(walk.lowest(), kTilted);
 }
-
-/// Moments over one gait period of 600 ms, cycles after the first steps.
-class EndInTheTwin : public testing::TestWithParam<int> {};
-
-TEST_P(EndInTheTwin, KneelsFromBothFeet) {
-  TwinWalk walk;
-  walk.start(1);
-  walk.loop(TwinWalk::kStance + 2 + GetParam() * 0.016);
-  walk.end();
-  walk.runLoop(500);
-  EXPECT_EQ(walk.state(), darwinop::State::kLimp) << "sits, released";
-  EXPECT_GT(walk.lowest(), kTilted);
-}
-
-INSTANTIATE_TEST_SUITE_P(Moments, EndInTheTwin, testing::Values(0, 6, 12, 18, 24, 30));
 
 }  // namespace
 }  // namespace managers

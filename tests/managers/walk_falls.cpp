@@ -1,45 +1,26 @@
 // Falls of a robot whose controller ends or dies while it walks, in the twin: the table of docs/gait.md. No test.
 //   walk_falls [MOMENTS]     moments of one gait period, default 12
-#include <mujoco/mujoco.h>
-
 #include <cstdio>
 #include <cstdlib>
 
-#include "twin_walk_rig.hpp"
+#include "twin_ground.hpp"
 
 namespace managers {
 namespace {
 
-using darwinop::twin::RobotBody;
-
-constexpr double kFallen = 0.7;  // cosine of the tilt: 45 degrees
-constexpr double kPeriod = 0.6;  // s
-constexpr double kSlopeRad = 3 * darwinop::kRadPerDegree;
+constexpr double kPeriod = 0.6;      // s
 constexpr int kCyclesToRest = 1000;  // 16 s: a dead controller is given up after 10 s
 
-enum class Ground { kLevel, kPush, kSlope };
 enum class End { kAtOnce, kFinished, kKilled };
-
-/// Downhill is forwards.
-void tilt(RobotBody& body, double rad) {
-  mjModel& model = *const_cast<mjModel*>(static_cast<const mjModel*>(body.mujocoModel()));
-  const double g = std::hypot(model.opt.gravity[0], model.opt.gravity[2]);
-  model.opt.gravity[0] = g * std::sin(rad);
-  model.opt.gravity[2] = -g * std::cos(rad);
-}
 
 bool falls(Ground ground, End end, double moment_s) {
   TwinWalk walk;
-  walk.start(1);
-  walk.loop(TwinWalk::kStance + 1.2);
-  if (ground == Ground::kSlope) tilt(walk.body(), kSlopeRad);
-  walk.loop(1.2 + moment_s);
+  walkOn(walk, ground, moment_s);
   if (walk.lowest() < kFallen) return true;
-  if (ground == Ground::kPush) walk.body().push({5, 0, 0}, std::chrono::milliseconds{100});
   // Behaviour before walks finished their step: without its joints, the gait manager cannot finish it.
   if (end == End::kAtOnce) darwinop::webots_api::currentRobot()->joints_taken_by = nullptr;
   if (end != End::kKilled) walk.end();
-  for (int i = 0; i < kCyclesToRest && walk.state() != darwinop::State::kLimp; ++i) walk.runLoop(1);
+  runToRest(walk, kCyclesToRest);
   return walk.lowest() < kFallen;
 }
 
