@@ -20,7 +20,7 @@ namespace {
 constexpr double kCatchUpMs = 600;    // for speed-limited goals to catch up: half a turn takes 256 ms
 constexpr int kEndStepMs = 16;        // two calls of the engine
 constexpr double kStandMs = 400;      // until the last step has come to rest
-constexpr double kEndBoundMs = 2500;  // enough for periods up to 1.6 s; the supervisor kills after 3 s
+constexpr double kEndBoundMs = 2480;  // enough for periods up to 1.6 s; the supervisor kills after 3 s
 
 // What a slow loop can do, measured in the twin: goals of the gyroscope that are held for longer make it fall, and at
 // 80 ms a round so do strides of more than 0.75 of the greatest.

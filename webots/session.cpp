@@ -2,6 +2,7 @@
 #include "webots/session.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "connect/camera.hpp"
 #include "webots/messages.hpp"
@@ -119,14 +120,22 @@ bool Session::waitForTarget() {
 }
 
 bool Session::carryOn(const Commands& commands, Nanos step) {
-  if (!executes(driver_.sensors())) return false;
+  const Sensors before = driver_.sensors();
+  if (!executes(before)) return false;
+  // The commands of an interrupted step come first: those of two steps in one cycle would be a jump.
+  if (std::exchange(target_, 0) > before.cycle && !reaches(before.cycle + 1)) return false;
   line_.restartAt(driver_.sensors().cycle);
   driver_.publish(commands);
-  if (!driver_.waitForCycle(line_.advance(step))) return false;
+  if (!reaches(line_.advance(step))) return false;
   sensors_ = driver_.sensors();
   reached_ = Nanos{sensors_.time_ns} - origin_;
   returned_ = driver_.link().now();
   return executes(sensors_);
+}
+
+/// The request to end a runtime is reported once, and does not end the last steps.
+bool Session::reaches(std::uint64_t cycle) {
+  return driver_.waitForCycle(cycle) || driver_.waitForCycle(cycle);
 }
 
 bool Session::executes(const Sensors& seen) const {

@@ -46,6 +46,7 @@ class Session {
 
  private:
   [[nodiscard]] bool waitForTarget();
+  [[nodiscard]] bool reaches(std::uint64_t cycle);
   /// True if safety executes this session's commands.
   [[nodiscard]] bool executes(const Sensors& seen) const;
   int end(const std::string& sentence);

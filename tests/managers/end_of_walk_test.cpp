@@ -109,6 +109,36 @@ TEST_F(EndOfWalk, ALongPeriodIsNotWaitedForAndNothingMovesAfterwards) {
   EXPECT_EQ(fake.now, before);
 }
 
+TEST_F(EndOfWalk, EachOfTheLastStepsHasACycle) {
+  for (const bool during_wait : {false, true}) {
+    stop = false;
+    manager_.reset();
+    end();
+    walkInto(7);
+    std::size_t published = fake.published.size(), most = 0;
+    fake.on_cycle = [&](std::uint64_t) {
+      most = std::max(most, fake.published.size() - published);
+      published = fake.published.size();
+    };
+    if (during_wait)
+      fake.during_wait = [this] { stop = true; };
+    else
+      stop = true;
+    manager().step(16);
+    EXPECT_EQ(robot().step(16), -1);
+    EXPECT_EQ(most, 1) << "goals of two steps in one cycle would be a jump";
+    fake.on_cycle = nullptr;
+  }
+}
+
+TEST_F(EndOfWalk, CtrlCWhileTheRuntimeEndsIsNoLessGentle) {
+  walkInto(7);
+  stop = true;
+  fake.ending = true;
+  EXPECT_EQ(robot().step(16), -1);
+  EXPECT_EQ(goals(), gait::kStanding.tick);
+}
+
 TEST_F(EndOfWalk, AControllerThatReturnsFromMainEndsInTheStance) {
   walkInto(7);
   end();  // ~Robot, as exit() and an uncaught exception
