@@ -131,7 +131,7 @@ TEST_F(EndOfWalk, EachOfTheLastStepsHasACycle) {
   }
 }
 
-TEST_F(EndOfWalk, CtrlCWhileTheRuntimeEndsIsNoLessGentle) {
+TEST_F(EndOfWalk, CtrlCWhileTheRuntimeEndsAlsoFinishesTheSteps) {
   walkInto(7);
   stop = true;
   fake.ending = true;
