@@ -139,7 +139,8 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
       if (!fault.joints[i]) continue;
       if (fault.kind == FaultKind::kJam) jam[i] = faultTime(fault.amount);
       if (fault.kind == FaultKind::kErrors && !flickers(fault)) errors[i] |= fault.bits;
-      if (fault.kind == FaultKind::kHeat) celsius[i] = ramped(fault, normal.temperature_c, now);
+      if (fault.kind == FaultKind::kHeat)  // of two the hotter one: a servo does not cool when another one begins
+        celsius[i] = std::max(celsius[i], std::optional{ramped(fault, normal.temperature_c, now)});
     }
     if (fault.kind == FaultKind::kDead) dead |= fault.joints;
     if (fault.kind == FaultKind::kVoltage) supply_v = ramped(fault, normal.supply_v, now);

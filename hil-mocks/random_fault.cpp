@@ -38,7 +38,10 @@ InjectedFault randomFault(FaultKind kind, Nanos at, Rng& random) noexcept {
   fault.bits = static_cast<std::uint8_t>(random.below(128));
   fault.chance = 0.01 + 0.2 * random.uniform();
   fault.amount = 1 + static_cast<double>(random.below(8));  // bytes or ms
-  if (kind == FaultKind::kHeat) fault.amount = random.between(40, 90);
+  if (kind == FaultKind::kHeat) {
+    fault.amount = random.between(40, 90);
+    fault.lasts = std::max(fault.lasts, kShortestCause);
+  }
   if (kind == FaultKind::kVoltage) fault.amount = random.between(5, 16.5);
   if (kind == FaultKind::kJam) fault.amount = random.between(0.35, 2);
   if (kind == FaultKind::kSag) fault.amount = random.between(1, 60);

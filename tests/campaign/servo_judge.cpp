@@ -225,11 +225,15 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   }
   if (address == servo::kTorqueLimit && before.torque_limit == 0) noteErasedTrip(joint);
   const bool late = sent->cycle < servo.powered_at || cycle_ - sent->cycle > kLate;
-  if (!before.pulls() && after.pulls()) servo.pulls_since = cycle_;
+  const bool edge = !before.pulls() && after.pulls();
+  if (edge) servo.pulls_since = cycle_;
+  if (address == servo::kTorqueEnable && after.torque_enable) servo.torque_on_at = cycle_;
+  // Also if the edge itself is not judged.
+  if (edge && cycle_ - servo.lost_at <= kForgotten) servo.unlimited_until = cycle_ + kPollRound;
   if (servo.untrusted_until > cycle_) return tolerate(Leniency::kUntrusted);
   if (late && with_goal && !repeated) judgeLate(joint, *sent, before, after, goals);
   if (late) return tolerate(Leniency::kLateWrite);
-  if (!before.pulls() && after.pulls()) judgeEdge(joint, after);
+  if (edge) judgeEdge(joint, after, goals);
   if (servo.untrusted_until > cycle_) return;
   // Other writes neither switch torque on nor move the joint: judgeSpeedLimits().
   const bool drives = with_goal || address == servo::kTorqueEnable;
@@ -238,11 +242,11 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   if (before.pulls() && after.goal != before.goal) judgeStep(joint, before, after, goals);
 }
 
-void ServoJudge::judgeEdge(Joint joint, const hil::ServoState& after) {
+void ServoJudge::judgeEdge(Joint joint, const hil::ServoState& after, std::uint32_t goals) {
   ++tally_.edges;
   const int gentle = registerFromSpeedLimit(RadPerSec{config_.gentle_speed});
   if (released_) blame(Promise::kRelease, joint, "torque came on after a person released the robot");
-  if (judgeShortOutage(joint, after) || undoesUnseenTrip(joint)) return;
+  if (judgeShortOutage(joint, after, goals) || undoesUnseenTrip(joint)) return;
   if (!acceptsGoal(joint, after.goal))
     blame(Promise::kGoalAtJoint, joint,
           "torque came on with the goal " + std::to_string(after.goal - truth(joint)) + " ticks away");
@@ -264,16 +268,16 @@ void ServoJudge::judgeLate(Joint joint, const Sent& sent, const hil::ServoState&
   if (before.pulls() && after.goal != before.goal) judgeStep(joint, before, after, goals);
 }
 
-/// A servo that restarts within a few cycles may not even miss an answer: its goal goes on from where it was, and that
-/// it has lost its settings is seen when its turn to be polled comes.
-bool ServoJudge::judgeShortOutage(Joint joint, const hil::ServoState& after) {
-  Servo& servo = servo_[index(joint)];
+/// A servo that restarts within a few cycles may not even miss an answer: its goal goes on from where it was, one step
+/// for each goal that was sent, and that it has lost its settings is seen when its turn to be polled comes.
+bool ServoJudge::judgeShortOutage(Joint joint, const hil::ServoState& after, std::uint32_t goals) {
+  const Servo& servo = servo_[index(joint)];
   const long cycles = cycle_ - servo.lost_at;
   if (cycles > kForgotten) return false;
-  servo.unlimited_until = cycle_ + kPollRound;
   tolerate(Leniency::kUnseenRestart);
   const int step = std::abs(after.goal - servo.lost_goal);
-  if (step <= max_step_ * static_cast<double>(cycles + 1) || acceptsGoal(joint, after.goal)) return true;
+  const long steps = std::max<long>(goals, cycles + 1);
+  if (step <= max_step_ * static_cast<double>(steps) || acceptsGoal(joint, after.goal)) return true;
   blame(Promise::kStep, joint, "goal moved by " + std::to_string(step) + " ticks in a short outage");
   return true;
 }
@@ -331,7 +335,8 @@ void ServoJudge::changed(Joint joint, hil::ServoEvent event, const hil::ServoSta
   servo.tripped_at = cycle_;
   if (servo.untrusted_until > cycle_) return;
   // One that is being taken over may have its torque from before: it is tried again, like any that comes under torque.
-  if (!servo.driven || cycle_ - std::max(servo.pulls_since, servo.driven_since) <= kGrace) {
+  const long on_since = std::max({servo.pulls_since, servo.driven_since, servo.torque_on_at});
+  if (!servo.driven || cycle_ - on_since <= kGrace) {
     tolerate(servo.driven ? Leniency::kEarlyBit : Leniency::kEarlyTrips);
     if (++servo.early_trips > kEarlyTrips)
       blame(Promise::kTrip, joint, "shut itself off again and again when taken over");

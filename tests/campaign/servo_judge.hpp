@@ -116,14 +116,15 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     std::uint32_t waits = 0;                         // limits sent without a goal since the last goal
     long tripped_at = -1000;                         // cycle
     long pulls_since = 0, driven_since = 0;          // cycle
+    long torque_on_at = 0;                           // cycle in which torque on was last written to it
     long lost_at = -1000;                            // cycle in which it lost its power under torque
     int lost_goal = 0;                               // ticks
     long unlimited_until = 0;                        // cycle; until then a missing speed limit cannot have been seen
     bool driven = false;
   };
 
-  void judgeEdge(Joint joint, const hil::ServoState& after);
-  [[nodiscard]] bool judgeShortOutage(Joint joint, const hil::ServoState& after);
+  void judgeEdge(Joint joint, const hil::ServoState& after, std::uint32_t goals);
+  [[nodiscard]] bool judgeShortOutage(Joint joint, const hil::ServoState& after, std::uint32_t goals);
   [[nodiscard]] bool undoesUnseenTrip(Joint joint);
   void noteErasedTrip(Joint joint);
   void judgeLate(Joint joint, const Sent& sent, const hil::ServoState& before, const hil::ServoState& after,

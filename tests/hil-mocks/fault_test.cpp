@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
+#include "hil-mocks/random_fault.hpp"
 #include "hil-mocks/virtual_robot.hpp"
 #include "hil-mocks/wire_faults.hpp"
 
@@ -157,6 +158,24 @@ TEST(Faults, TemperatureRampsAndReturns) {
   EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 00 46"));
   robot.advance(3s);
   EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 00 1E"));
+}
+
+TEST(Faults, OfTwoCausesOfHeatTheHotterOneCounts) {
+  Robot robot;
+  for (const double celsius : {85.0, 60.0}) {
+    InjectedFault heat = faultOf(FaultKind::kHeat, celsius > 80 ? 0ms : 500ms, 2s);
+    heat.joints.set(index(Joint::kNeck));
+    heat.amount = celsius;
+    robot.faults().add(heat);
+  }
+  robot.advance(1s);
+  EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 04 55")) << "still overheated";
+}
+
+/// The bit of a shutdown is then in more than two answers.
+TEST(Faults, RandomHeatLastsForMoreThanHalfASecond) {
+  Rng random{1};
+  for (int i = 0; i < 1000; ++i) EXPECT_GE(randomFault(FaultKind::kHeat, 0ms, random).lasts, 600ms);
 }
 
 TEST(Faults, LowVoltageShowsOnBoardAndServos) {
