@@ -46,7 +46,8 @@ class SameGoals(Programs):
         """Goals of a session in the daemon, and of one over TCP."""
         port, recording = str(self.folder / "port"), self.folder / "daemon.csv"
         with self.started("darwinop-virtual-robot", "--link", port, ready="^link: "):
-            with self.started("darwinop-runtime", "--robot", port, "--record", recording, ready="^ready: "):
+            # On a busy machine the first check may find a cycle too long.
+            with self.started("darwinop-runtime", "--wait", "--robot", port, "--record", recording, ready="^ready: "):
                 self.run_controller("all_joints", robot="runtime")
                 with self.started("darwinop-remote", "--robot", "runtime", "--port", "0",
                                   ready=r"^ready: (\S+)") as ready:

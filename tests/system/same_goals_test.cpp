@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -94,7 +95,21 @@ void expectInOrder(const Goals& goals, const Goals& reference, double tolerance)
   EXPECT_GE(commanded.sent, share(1 - kDelayed, reference.commanded)) << "of " << reference.commanded.size();
 }
 
-using SameGoals = Rig;
+class SameGoals : public Rig {
+ protected:
+  /// The check at the start may find a cycle too long on a busy machine. The daemon waits; a controller with a port of
+  /// its own ends before it drives, and is started again.
+  std::vector<Goals> recordedOnThePort() {
+    const std::string recording = file("port.csv");
+    for (int i = 0; i < 20 && !std::filesystem::exists(recording); ++i) {
+      Program running{{program("darwinop-run"), "--robot", port(), "--record", recording, controller()},
+                      file("run.txt")};
+      const auto status = running.wait(seconds{90});
+      EXPECT_TRUE(status == 0 || !std::filesystem::exists(recording)) << running.output();
+    }
+    return goalsIn(recording);
+  }
+};
 
 TEST_F(SameGoals, OfAllJointsOnTheVirtualRobotTheTwinASerialPortTheDaemonAndOverTcp) {
   run("virtual", {"--record", file("virtual.csv")}, {});
@@ -120,8 +135,9 @@ TEST_F(SameGoals, OfAllJointsOnTheVirtualRobotTheTwinASerialPortTheDaemonAndOver
 #endif
 
   startVirtualRobot();
-  run(port(), {"--record", file("port.csv")}, {});
-  Program daemon{{program("darwinop-runtime"), "--robot", port(), "--record", file("daemon.csv")}, file("daemon.txt")};
+  const std::vector<Goals> embedded = recordedOnThePort();
+  Program daemon{{program("darwinop-runtime"), "--wait", "--robot", port(), "--record", file("daemon.csv")},
+                 file("daemon.txt")};
   ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();
   run("runtime", {}, {});
   {
@@ -137,7 +153,7 @@ TEST_F(SameGoals, OfAllJointsOnTheVirtualRobotTheTwinASerialPortTheDaemonAndOver
   daemon.kill(SIGTERM);
   ASSERT_EQ(daemon.wait(seconds{20}), 0) << daemon.output();
 
-  const std::vector<Goals> embedded = goalsIn(file("port.csv")), through_daemon = goalsIn(file("daemon.csv"));
+  const std::vector<Goals> through_daemon = goalsIn(file("daemon.csv"));
   ASSERT_EQ(embedded.size(), 1U);
   ASSERT_EQ(through_daemon.size(), 2U);
   const auto expect = [&](const char* way, const Goals& goals, double tolerance) {
