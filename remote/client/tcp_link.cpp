@@ -42,14 +42,6 @@ TcpLink::TcpLink(TcpOptions options)
   awaitFirstReply();
 }
 
-std::string TcpLink::name() const {
-  return "tcp://" + options_.host + ":" + std::to_string(options_.port);
-}
-
-void TcpLink::log(const std::string& message) const {
-  if (options_.log) options_.log(message);
-}
-
 void TcpLink::publish(Commands commands) {
   commands_ = commands;
 }

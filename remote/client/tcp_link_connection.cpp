@@ -18,6 +18,14 @@ constexpr Nanos kLogInterval{5'000'000'000};  // minimum between two messages ab
 
 }  // namespace
 
+std::string TcpLink::name() const {
+  return "tcp://" + options_.host + ":" + std::to_string(options_.port);
+}
+
+void TcpLink::log(const std::string& message) const {
+  if (options_.log) options_.log(message);
+}
+
 void TcpLink::connect() {
   const Nanos give_up = clock_.now() + options_.connect_timeout;
   bool logged = false;

@@ -12,8 +12,7 @@
 namespace darwinop::remote {
 namespace {
 
-constexpr int kAtOnce = 64;                  // burst of the rate limit, pieces of work: a client needs two per step
-constexpr Nanos kPollInterval{100'000'000};  // bounds the delay of a signal that arrives just before a wait
+constexpr int kAtOnce = 64;  // burst of the rate limit, pieces of work: a client needs two per step
 
 // Servos may be without power before the session. The first values are waited for, as in the 2013 server (3 s).
 constexpr Nanos kFirstValues{2'000'000'000}, kFirstValuesInterval{4'000'000};
@@ -33,11 +32,6 @@ Server::Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_p
       rate_limiter_{config.pace, kAtOnce},
       listener_{config.address, config.port},
       now_{clock_()} {}
-
-void Server::run(const std::atomic<bool>& stop) {
-  while (!stop) poll(kPollInterval);
-  letClientEnd();
-}
 
 void Server::poll(Nanos longest) {
   now_ = clock_();

@@ -61,7 +61,6 @@ class Server {
   [[nodiscard]] bool resume(const Request& request);
   [[nodiscard]] bool mayDrive(const Request& request);
   [[nodiscard]] bool startSession(const Request& request);
-  void letClientEnd();
   void refuse(const Request& request, const std::string& what, const std::string& why);
   [[nodiscard]] bool mustAwait(std::uint64_t cycle, const Sensors& seen) const;
   [[nodiscard]] JpegPicture picture(const Request& request);
@@ -87,7 +86,7 @@ class Server {
   net::RateLimiter rate_limiter_;
   net::Listener listener_;
   Nanos now_;
-  bool ends_ = false;  // since letClientEnd()
+  bool ends_ = false;  // run() was requested to stop
   std::optional<Client> client_;
   std::unique_ptr<PictureSource> pictures_;  // while a client drives that has requested one
 };

@@ -59,12 +59,14 @@ bool Server::startSession(const Request& request) {
   return true;
 }
 
-/// As the daemon does: a walk finishes its steps within 2.9 s.
-void Server::letClientEnd() {
-  constexpr Nanos kPatience{3'000'000'000}, kCheckInterval{100'000'000};
+/// At the end a client may finish its steps, as under the daemon: 2.9 s for a walk.
+void Server::run(const std::atomic<bool>& stop) {
+  constexpr Nanos kPollInterval{100'000'000};  // bounds the delay of a signal that arrives just before a wait
+  constexpr Nanos kPatience{3'000'000'000};
+  while (!stop) poll(kPollInterval);
   ends_ = true;
   const Nanos give_up = clock_() + kPatience;
-  while (client_ && client_->drives && client_->extended && clock_() < give_up) poll(kCheckInterval);
+  while (client_ && client_->drives && client_->extended && clock_() < give_up) poll(kPollInterval);
 }
 
 /// Sends the reason to clients with the extension, then disconnects.
