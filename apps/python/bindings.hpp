@@ -6,7 +6,9 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <webots/Device.hpp>
 
+#include "apps/python/messages.hpp"
 #include "apps/python/session.hpp"
 
 namespace darwinop::python {
@@ -45,6 +47,20 @@ void isSampled(Class& type, void (Device::*enable)(int), void (Device::*disable)
   type.def("enable", enable, py::arg("sampling_period"), kWaiting);
   type.def("disable", disable, kWaiting);
   reads(type, "getSamplingPeriod", period);
+}
+
+/// The robot's device of this name; ValueError in Python if it has none.
+webots::Device& deviceOfRobot(const std::string& name);
+
+/// `Motor("Neck")`: the robot's device of this name, as in the simulator.
+template <class Class>
+void isMadeByName(Class& type) {
+  type.def(py::init([](const std::string& name) {
+             auto* const device = dynamic_cast<typename Class::type*>(&deviceOfRobot(name));
+             if (device == nullptr) throw py::value_error{name + messages::kOfAnotherClass};
+             return device;
+           }),
+           py::arg("name"), kQuick);
 }
 
 /// Constants of a class, as plain numbers.

@@ -102,6 +102,7 @@ void bindSimulatorOnly(CameraClass& camera) {
 
 void bindCamera(py::module_& module) {
   CameraClass camera{module, "Camera", py::dynamic_attr()};
+  isMadeByName(camera);
   isSampled(camera, &Camera::enable, &Camera::disable, &Camera::getSamplingPeriod);
   reads(camera, "getImage", &image);
   reads(camera, "getImageArray", &imageArray);

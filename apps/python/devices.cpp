@@ -23,6 +23,7 @@ py::list listOf(const double* values, int size) {
 template <class Sensor>
 void bindThreeAxes(py::module_& module, const char* name) {
   DeviceClass<Sensor, Device> sensor{module, name, py::dynamic_attr()};
+  isMadeByName(sensor);
   isSampled(sensor, &Sensor::enable, &Sensor::disable, &Sensor::getSamplingPeriod);
   reads(sensor, "getValues", [](const Sensor& self) { return listOf(self.getValues(), 3); });
   reads(sensor, "getLookupTable",
@@ -41,11 +42,13 @@ void bindDevices(py::module_& module) {
   reads(device, "getTag", &Device::getTag);
 
   DeviceClass<LED, Device> led{module, "LED", py::dynamic_attr()};
+  isMadeByName(led);
   led.def("set", &LED::set, py::arg("value"), kQuick);
   led.def("get", &LED::get, kQuick);
   led.attr("value") = py::module_::import("builtins").attr("property")(led.attr("get"), led.attr("set"));
 
   DeviceClass<TouchSensor, Device> button{module, "TouchSensor", py::dynamic_attr()};
+  isMadeByName(button);
   isSampled(button, &TouchSensor::enable, &TouchSensor::disable, &TouchSensor::getSamplingPeriod);
   reads(button, "getValue", &TouchSensor::getValue);
   reads(button, "getValues", [](const TouchSensor& self) {

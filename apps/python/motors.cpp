@@ -64,6 +64,7 @@ void bindFeedback(MotorClass& motor) {
 /// The class of 2013.
 void bindServo(py::module_& module) {
   DeviceClass<Servo, Motor> servo{module, "Servo", py::dynamic_attr()};
+  isMadeByName(servo);
   sets(servo, "setMotorForce", &Servo::setMotorForce, "force");
   sets(servo, "setControlP", &Servo::setControlP, "p");
   sets(servo, "enableMotorForceFeedback", &Servo::enableMotorForceFeedback, "sampling_period");
@@ -77,7 +78,9 @@ void bindServo(py::module_& module) {
 
 void bindMotors(py::module_& module) {
   MotorClass motor{module, "Motor", py::dynamic_attr()};
+  isMadeByName(motor);
   DeviceClass<PositionSensor, Device> sensor{module, "PositionSensor", py::dynamic_attr()};
+  isMadeByName(sensor);
 
   bindSettings(motor);
   bindProperties(motor);

@@ -14,6 +14,7 @@
 
 #include "apps/python/bindings.hpp"
 #include "apps/python/interrupt.hpp"
+#include "webots/messages.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
@@ -114,6 +115,11 @@ void bindConstants(const py::handle& robot) {
 
 }  // namespace
 
+webots::Device& deviceOfRobot(const std::string& name) {
+  if (auto* const device = webots_api::currentRobot()->find(name)) return *device;  // ApiCall has checked the robot
+  throw py::value_error{name + webots_api::messages::kNoDeviceToMake};
+}
+
 void bindRobot(py::module_& module) {
   py::class_<Robot> robot{module, "Robot", py::dynamic_attr()};
   py::class_<PythonRobot, Robot> connected{module, "ConnectedRobot", py::dynamic_attr()};
@@ -129,8 +135,6 @@ void bindRobot(py::module_& module) {
   reads(robot, "getType", &Robot::getType);
   reads(robot, "getBasicTimeStep", &Robot::getBasicTimeStep);
   reads(robot, "getProjectPath", &Robot::getProjectPath);
-  reads(robot, "getControllerName", &Robot::getControllerName);
-  reads(robot, "getControllerArguments", &Robot::getControllerArguments);
   for (const char* name : {"setCustomData", "setData"}) robot.def(name, &Robot::setCustomData, py::arg("data"), kQuick);
   reads(robot, "getCustomData", &Robot::getCustomData, "setCustomData");
   robot.def("getData", &Robot::getData, kQuick);

@@ -9,6 +9,7 @@ using webots::Speaker;
 
 void bindSpeaker(py::module_& module) {
   DeviceClass<Speaker, webots::Device> speaker{module, "Speaker", py::dynamic_attr()};
+  isMadeByName(speaker);
   speaker.def_static("playSound", &Speaker::playSound, py::arg("left").none(true), py::arg("right").none(true),
                      py::arg("sound"), py::arg("volume"), py::arg("pitch"), py::arg("balance"), py::arg("loop"),
                      kWaiting);

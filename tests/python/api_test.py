@@ -27,6 +27,30 @@ class Api(unittest.TestCase):
             self.assertEqual(robot.getDevice(name).name, name)
         self.assertEqual(robot.getDevice("Neck").getNodeType(), Node.ROTATIONAL_MOTOR)
 
+    def test_a_device_made_by_its_name_is_the_robots(self):
+        for name, kind in {"Neck": Motor, "Head": controller.Servo, "NeckS": PositionSensor, "EyeLed": LED, "Gyro": controller.Gyro,
+                           "Accelerometer": controller.Accelerometer, "Camera": controller.Camera,
+                           "Speaker": controller.Speaker, "ButtonMode": controller.TouchSensor}.items():
+            self.assertEqual(kind(name).getTag(), robot.getDevice(name).getTag())
+        Motor("Neck").setPosition(0.125)
+        self.assertEqual(robot.getDevice("Neck").target_position, 0.125)
+
+        class Lamp(LED):
+            def blink(self):
+                self.set(0 if self.get() else 0xFF0000)
+
+        lamp = Lamp("HeadLed")
+        lamp.set(0)
+        lamp.blink()
+        self.assertEqual(robot.getDevice("HeadLed").get(), 0xFF0000)
+        for kind, name in ((Motor, "Nose"), (Motor, "EyeLed"), (LED, "")):
+            with self.assertRaises(ValueError):
+                kind(name)
+
+    def test_the_controllers_name_and_arguments_are_those_of_the_script(self):
+        self.assertEqual(robot.getControllerName(), "api_test")
+        self.assertEqual(robot.controller_arguments, " ".join(sys.argv[1:]))
+
     def test_each_device_of_the_robot_is_found_by_index(self):
         names = [robot.getDeviceByIndex(i).getName() for i in range(robot.number_of_devices)]
         self.assertEqual([robot.getDevice(name).getTag() for name in names], list(range(1, len(names) + 1)))

@@ -68,3 +68,7 @@ class Robot(_darwinop.ConnectedRobot):
     def __exit__(self, *_):
         """Ends the session: the robot is brought to rest."""
         _darwinop.end_session()
+
+
+for _name in ("getControllerName", "getControllerArguments"):
+    _darwinop.add_property(Robot, _name)

@@ -16,7 +16,6 @@ _CALLS = {
         "animationStartRecording animationStopRecording saveWorld virtualRealityHeadsetIsUsed worldSave"
     ),
     True: "movieFailed movieIsReady",
-    0: "getMovieStatus movieGetStatus",
 }
 
 
@@ -34,6 +33,12 @@ class Supervisor(Robot):
     def simulationGetMode(self):
         _darwinop.warn_of_supervisor_call("simulationGetMode()")
         return self.SIMULATION_MODE_REAL_TIME
+
+    def movieGetStatus(self):
+        _darwinop.warn_of_supervisor_call("movieGetStatus()")
+        return self.MOVIE_READY
+
+    getMovieStatus = movieGetStatus
 
 
 def _call(name, result):
