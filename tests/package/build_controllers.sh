@@ -86,7 +86,7 @@ mkdir -p "$work/darwin/Linux/project/webots/controllers"
 cp "$makefile" "$work/darwin/Linux/project/webots/controllers/Makefile.include"
 make_way "$work/darwin/Linux/project/webots/controllers" DARWINOP_ROOT="$work/darwin"
 
-step "old-make, with a full Makefile of before September 2013"
+step "plain make, with a full Makefile of before September 2013"
 mkdir -p "$work/full"
 cp "$source/tests/webots/api/2013/symmetry/"* "$work/full"
 cat >"$work/full/Makefile.darwin-op" <<'END'
@@ -101,7 +101,7 @@ $(TARGET): darwin.a $(OBJECTS) ../../transfer/lib/wrapper.a
 	$(CXX) $(OF_THE_TEST) ../../transfer/lib/wrapper.a /darwin/Linux/lib/darwin.a -o $@ $(OBJECTS) -lpthread -ljpeg -lrt
 END
 old_make=$(find "$prefix" -name old-make)
-(cd "$work/full" && WEBOTS_HOME=/usr/local/webots "$old_make" Makefile.darwin-op -s OF_THE_TEST="$CXXFLAGS $LDFLAGS") 2>"$work/said" ||
+(cd "$work/full" && PATH=$(dirname "$old_make")/bin:$PATH make -f Makefile.darwin-op -s OF_THE_TEST="$CXXFLAGS $LDFLAGS") 2>"$work/said" ||
   { cat "$work/said"; exit 1; }
 grep -q '^Makefile.darwin-op: .*/darwin/Linux/lib/darwin.a' "$work/said" || { cat "$work/said"; exit 1; }
 runs "$work/full/symmetry"
