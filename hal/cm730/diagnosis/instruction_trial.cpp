@@ -96,8 +96,10 @@ class Trial {
 
   void tryBulkRead() {
     std::bitset<kJoints> answered;
+    bool first_answered = false;
     for (int i = 0; i < kTries && !facts_.lost && answered.count() < list_.size(); ++i) {
       facts_.instructions.bulk_read |= exchange(kBoardWindow.count, list_);
+      if (i == 0) first_answered = facts_.instructions.bulk_read;
       answered |= answered_;
       if (!facts_.instructions.bulk_read) continue;
       // A silent servo suppresses the replies of those after it, so it is read last in the next attempt.
@@ -108,6 +110,7 @@ class Trial {
       list_ = order;
     }
     if (!facts_.instructions.bulk_read || facts_.lost) return;
+    facts_.instructions.first_lost = !first_answered;
     markMissing(answered);
   }
 

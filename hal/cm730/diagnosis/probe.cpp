@@ -9,6 +9,7 @@
 #include "core/registers.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/instruction_trial.hpp"
+#include "hal/cm730/diagnosis/observation.hpp"
 #include "hal/cm730/diagnosis/transactions.hpp"
 
 namespace darwinop::cm730 {
@@ -39,13 +40,15 @@ class Probe {
 
   RobotFacts run() {
     const Nanos began = line_.now();
-    if (measureBoard()) {
+    if (options_.observe) countForeignFrames(line_, facts_);
+    if (!facts_.lost && measureBoard()) {
       measureRoundTrip();
       if (!isSupported(facts_)) return finish(began);
       switchServosOn();
       if (facts_.board.power_on) measureServos();
       if (!facts_.lost && facts_.board.power_on) tryInstructions(line_, facts_);
       measureLosses();
+      if (options_.observe && !facts_.lost) observe(line_, facts_);
     }
     return finish(began);
   }
@@ -72,6 +75,7 @@ class Probe {
     BoardFacts& board = facts_.board;
     const Answer pinged = ping(kBoardId);
     board.found = pinged.ok();
+    board.ping_tries = pinged.tries;
     board.garbled = pinged.garbled && !pinged.ok();
     if (!board.found) return false;
     const Answer table = read(kBoardId, 0, kBoardBytes);
@@ -97,11 +101,12 @@ class Probe {
       if (const Answer answer = read(kBoardId, 0, 2); answer.ok() && answer.tries == 1) took.push_back(answer.took);
     facts_.round_trip_reads = static_cast<int>(took.size());
     if (took.empty()) return;
-    const auto middle = took.begin() + static_cast<std::ptrdiff_t>(took.size() / 2);
-    std::ranges::nth_element(took, middle);
-    facts_.round_trip = *middle;
+    std::ranges::sort(took);
+    facts_.round_trip = took[took.size() / 2];
+    facts_.shortest_round_trip = took.front();
+    facts_.long_round_trip = took[took.size() * 9 / 10];
     // From here on a silent servo costs little time.
-    patience_.margin = std::min(patience_.margin, *middle + kMarginOverMedian);
+    patience_.margin = std::min(patience_.margin, facts_.round_trip + kMarginOverMedian);
   }
 
   void switchServosOn() {
@@ -193,6 +198,7 @@ class Probe {
     servo.torque_limit = wordAt(data, servo::kTorqueLimit);
     servo.position = options_.offsets.jointAngle(static_cast<Joint>(id - 1), wordAt(data, servo::kPresentPosition));
     servo.voltage = voltFromRegister(data[servo::kPresentVoltage]);
+    servo.load = loadFromRegister(wordAt(data, find(kMx28, "present_load").address));
     servo.temperature = Celsius{static_cast<double>(data[servo::kPresentTemperature])};
   }
 

@@ -25,6 +25,7 @@ struct ProbeOptions {
   JointOffsets offsets{};          // subtracted from positions
   Nanos period{16'000'000};        // period of the loop
   std::bitset<kJoints> absent{};   // not measured
+  bool observe = false;            // also what only takes longer to see: observation.hpp
   TickRanges allowed = tableRanges();
   std::uint16_t board_model = find(kCm730, "model").reset;  // permitted beside the CM-730's
 
@@ -37,6 +38,7 @@ struct ProbeOptions {
     options.round_trip_reads = 21;
     options.loss_reads_per_servo = 25;
     options.loss_budget = std::chrono::seconds{4};
+    options.observe = true;
     return options;
   }
 };

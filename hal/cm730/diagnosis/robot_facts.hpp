@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
@@ -47,11 +48,16 @@ struct ServoFacts {
   Volt voltage;
   Celsius temperature;
   Rad position;
+  double load = 0;  // -1..1 of the maximum torque as the servo reports it, counter-clockwise positive
 
   Correction delay_correction = Correction::kNotNeeded, level_correction = Correction::kNotNeeded;
   std::uint8_t return_delay_was = 0;  // before the correction
   bool was_mute = false;              // answered pings only until its status return level was corrected
   int reads = 0, losses = 0;          // single reads without retries
+  // Measured by the doctor only (observation.hpp).
+  int long_reads = 0, long_losses = 0;  // reads of the whole table, without retries
+  int late_answers = 0;                 // answered pings of a servo that was silent at first
+  bool restarted = false;               // its torque went off during the observation
   // Instructions as the loop uses them; true also if not tested.
   bool bulk_read_works = true, sync_write_works = true;
 
@@ -62,6 +68,7 @@ struct ServoFacts {
 
 struct BoardFacts {
   bool found = false, garbled = false, readable = false;
+  int ping_tries = 0;  // until the first answer
   std::uint16_t model = 0;
   std::uint8_t firmware = 0;
   bool power_was_on = false, power_on = false;  // servo power
@@ -73,8 +80,17 @@ struct BoardFacts {
 struct InstructionFacts {
   bool tried = false;       // false: no servo to test with; the other fields are invalid
   bool bulk_read = false;   // answered by the board
+  bool first_lost = false;  // the first BULK_READ got no answer, a later one did
   bool sync_write = false;  // executed by at least one servo
   bool all_blocks = true;   // lengths 30..57, by which the bus distinguishes replies (request_tag.hpp)
+};
+
+/// Results of the doctor's longer observation (observation.hpp); a start of a loop does not make it.
+struct ObservedFacts {
+  bool done = false;                    // false: the other fields are not valid
+  int foreign_frames = 0;               // valid frames that no request of this program asked for
+  int power_losses = 0;                 // times that servo power was on and found off later
+  std::vector<std::uint8_t> stray_ids;  // answering ids that no servo of this robot has
 };
 
 struct RobotFacts {
@@ -87,8 +103,10 @@ struct RobotFacts {
   BoardFacts board;
   std::array<ServoFacts, kJoints> servo;
   InstructionFacts instructions;
-  Nanos round_trip{0};       // median of short reads, request to last byte
-  int round_trip_reads = 0;  // answered ones; 0: not measured
+  ObservedFacts observed;
+  Nanos round_trip{0};                               // median of short reads, request to last byte
+  Nanos shortest_round_trip{0}, long_round_trip{0};  // minimum and 90th percentile
+  int round_trip_reads = 0;                          // answered ones; 0: not measured
   Nanos took{0};
 };
 

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "hal/cm730/bridged_line.hpp"
 #include "hal/cm730/bus.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
-#include "hil-mocks/latency_timer.hpp"
 #include "hil-mocks/memory_line.hpp"
 #include "support/safe_commands_for_tests.hpp"
 
@@ -19,84 +19,6 @@ namespace darwinop::cm730 {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// The bridge: a request leaves with the next USB frame, replies wait for a full packet or the latency timer, and
-/// reach the PC with the next USB frame.
-class BridgedLine final : public ByteLine {
- public:
-  BridgedLine(hil::MemoryLine& line, Nanos latency, Nanos usb_frame)
-      : line_{line}, timer_{latency}, usb_frame_{usb_frame} {}
-
-  [[nodiscard]] Nanos now() noexcept override { return now_; }
-  void advanceTo(Nanos when) { now_ = std::max(now_, when); }
-
-  LineStatus write(std::span<const std::uint8_t> bytes) noexcept override {
-    sendPending(now_);
-    pending_.insert(pending_.end(), bytes.begin(), bytes.end());
-    leaves_ = nextFrame(now_);
-    return LineStatus::kOk;
-  }
-
-  LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override {
-    count = 0;
-    while (true) {
-      if (!ready_.empty() && arrives_ <= std::max(now_, deadline)) {
-        now_ = std::max(now_, arrives_);
-        count = std::min(into.size(), ready_.size());
-        std::copy_n(ready_.begin(), count, into.begin());
-        ready_.erase(ready_.begin(), ready_.begin() + static_cast<std::ptrdiff_t>(count));
-        return LineStatus::kOk;
-      }
-      if (!pump(deadline)) {
-        now_ = std::max(now_, deadline);
-        return LineStatus::kTimeout;
-      }
-    }
-  }
-
-  void discardInput() noexcept override {
-    std::size_t count = 0;
-    std::array<std::uint8_t, 512> rubbish{};
-    while (read(rubbish, count, now_) == LineStatus::kOk) {
-    }
-  }
-  [[nodiscard]] std::uint32_t reconnects() const noexcept override { return 0; }
-
- private:
-  [[nodiscard]] Nanos nextFrame(Nanos when) const {
-    return usb_frame_ == 0ns ? when : ((when + usb_frame_ - 1ns) / usb_frame_) * usb_frame_;
-  }
-  void sendPending(Nanos until) {
-    if (pending_.empty() || leaves_ > until) return;
-    line_.advanceTo(leaves_);
-    line_.write(pending_);
-    pending_.clear();
-  }
-  /// Lets the next thing happen that happens until then; false: nothing does.
-  bool pump(Nanos deadline) {
-    sendPending(deadline);
-    std::array<std::uint8_t, 512> bytes{};
-    std::size_t count = 0;
-    const Nanos until = std::min(deadline, timer_.due());
-    const auto deliver = [&](Bytes packet) {
-      ready_.insert(ready_.end(), packet.begin(), packet.end());
-      arrives_ = nextFrame(line_.now());
-    };
-    if (line_.now() <= until && line_.read(bytes, count, until) == LineStatus::kOk) {
-      timer_.take(Bytes{bytes}.first(count), line_.now(), deliver);
-      return true;
-    }
-    if (timer_.due() > deadline) return false;
-    line_.advanceTo(timer_.due());
-    timer_.expire(line_.now(), deliver);
-    return true;
-  }
-
-  hil::MemoryLine& line_;
-  hil::LatencyTimer timer_;
-  Nanos usb_frame_, now_{0}, leaves_{0}, arrives_{0};
-  std::vector<std::uint8_t> pending_, ready_;
-};
 
 struct Outcome {
   int too_long = 0;  // cycles that took longer than their period
