@@ -1,13 +1,13 @@
 // darwinop-doctor: checks computer, port, board and servos, with a fix for each finding.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <string>
 
 #include "connect/robot_file.hpp"
 #include "connect/serial_bus.hpp"
 #include "connect/start_pose_findings.hpp"
+#include "doctor_report.hpp"
 #include "hal/cm730/diagnosis/host_checks.hpp"
 #include "hal/cm730/diagnosis/port_check.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
@@ -17,7 +17,6 @@ namespace {
 
 using namespace darwinop;
 using cm730::Finding;
-using cm730::Findings;
 
 constexpr int kLoopPriority = 80;  // same as the loop's thread
 
@@ -26,33 +25,12 @@ constexpr const char* kExample =
     "  darwinop doctor                        DARWINOP_ROBOT, else robot.ini's port, else the first USB one\n"
     "  darwinop doctor --robot /dev/ttyUSB1\n"
     "  darwinop doctor --fix                  also corrects return delays and status levels\n"
+    "  darwinop doctor --json                 one JSON document; keys: docs/doctor.md\n"
     "Nothing moves; torque is not changed. Servo power is switched on if it is off.\n"
     "Exit code: 0 the robot can be driven (warnings allowed), 1 it cannot.";
 
-/// Prints findings at once and counts them.
-class Report {
- public:
-  void heading(const char* title) { std::printf("%s\n", title); }
-  void add(const Findings& findings) {
-    for (const Finding& finding : findings) {
-      std::fputs(cm730::toText(finding).c_str(), stdout);
-      ++count_[static_cast<std::size_t>(finding.level)];
-    }
-    std::fflush(stdout);
-  }
-  int finish() {
-    const bool drivable = count_[2] == 0;
-    std::printf("%d ok, %d warnings, %d errors: the robot %s be driven\n", count_[0], count_[1], count_[2],
-                drivable ? "can" : "cannot");
-    return drivable ? 0 : 1;
-  }
-
- private:
-  int count_[3] = {0, 0, 0};
-};
-
 /// The robot described by robot.ini; a stock robot and an error finding if the file is invalid.
-connect::RobotFile readRobotFile(Report& report) {
+connect::RobotFile readRobotFile(app::DoctorReport& report) {
   try {
     connect::RobotFile robot = connect::readRobotFile();
     report.add({Finding::ok(connect::describe(robot))});
@@ -64,21 +42,24 @@ connect::RobotFile readRobotFile(Report& report) {
   }
 }
 
-int examine(const std::string& asked, bool fix) {
-  Report report;
-  report.heading("computer");
+int examine(const std::string& asked, bool fix, bool json) {
+  app::DoctorReport report{json};
+  report.begin("computer");
   report.add(cm730::diagnoseHost(cm730::measureHost(kLoopPriority)));
 
   const connect::RobotFile robot = readRobotFile(report);
 
-  report.heading("port");
+  report.begin("port");
   const std::string wanted = asked.empty() ? robot.port.value_or("") : asked;
   const std::string path = cm730::choosePort(wanted, cm730::candidatePorts());
   const cm730::PortCheck check = cm730::checkPort(path);
   report.add(check.findings);
-  if (!check.port) return report.finish();
+  cm730::ProbeReport probed;
+  probed.facts.port = path;
+  const auto finish = [&] { return report.finish(path, cm730::nameFaults(probed.facts, report.findings())); };
+  if (!check.port) return finish();
 
-  report.heading("robot");
+  report.begin("robot");
   cm730::ProbeOptions options = cm730::ProbeOptions::thorough();
   options.port = path;
   options.offsets = robot.offsets;
@@ -87,13 +68,13 @@ int examine(const std::string& asked, bool fix) {
   options.allowed = connect::goalTicks(connect::safetyOn(robot, {}, "config.ini"), robot.offsets);
   options.correct = options.correct_mute = fix;
   options.board_model = robot.board_model;
-  const cm730::ProbeReport probed = cm730::probe(*check.port, options);
+  probed = cm730::probe(*check.port, options);
   report.add(probed.findings);
   if (probed.facts.board.readable && probed.facts.board.power_on) {
-    report.heading("pose");
+    report.begin("pose");
     report.add(connect::startPoseFindings(probed.facts));
   }
-  return report.finish();
+  return finish();
 }
 
 }  // namespace
@@ -102,12 +83,13 @@ int main(int argc, char** argv) try {
   CLI::App app{"Checks computer, port, board and servos; one line each, with a fix."};
   app.footer(kExample);
   std::string robot;
-  bool fix = false;
+  bool fix = false, json = false;
   app.add_option("--robot", robot, "serial port or pty of the robot")->envname("DARWINOP_ROBOT");
   app.add_flag("--fix", fix, "write wrong servo settings (EEPROM) while torque is off");
+  app.add_flag("--json", json, "one JSON document instead of lines");
   app.set_version_flag("--version", DARWINOP_VERSION);
   CLI11_PARSE(app, argc, argv);
-  return examine(robot, fix);
+  return examine(robot, fix, json);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
   return 1;
