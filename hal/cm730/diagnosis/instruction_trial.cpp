@@ -97,10 +97,12 @@ class Trial {
   void tryBulkRead() {
     std::bitset<kJoints> answered;
     bool first_answered = false;
-    for (int i = 0; i < kTries && !facts_.lost && answered.count() < list_.size(); ++i) {
+    // Also repeated if only the board's reply was lost.
+    const auto complete = [&] { return facts_.instructions.bulk_read && answered.count() == list_.size(); };
+    for (int i = 0; i < kTries && !facts_.lost && !complete(); ++i) {
       facts_.instructions.bulk_read |= exchange(kBoardWindow.count, list_);
-      if (i == 0) first_answered = facts_.instructions.bulk_read;
       answered |= answered_;
+      if (i == 0) first_answered = facts_.instructions.bulk_read || answered.any();
       if (!facts_.instructions.bulk_read) continue;
       // A silent servo suppresses the replies of those after it, so it is read last in the next attempt.
       std::vector<std::size_t> order;

@@ -41,7 +41,7 @@ struct ProbeBench {
 };
 
 /// An adapter that delays replies.
-class SlowLine final : public ByteLine {
+class SlowLine : public ByteLine {
  public:
   SlowLine(hil::MemoryLine& line, Nanos delay) : line_{line}, delay_{delay} {}
   [[nodiscard]] Nanos now() noexcept override { return line_.now(); }

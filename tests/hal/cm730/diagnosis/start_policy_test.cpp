@@ -14,7 +14,9 @@
 #include "hal/cm730/diagnosis/finding.hpp"
 #include "hal/cm730/diagnosis/instruction_trial.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
+#include "hal/cm730/diagnosis/probe_bench.hpp"
 #include "hal/cm730/diagnosis/transactions.hpp"
+#include "hal/cm730/wire.hpp"
 #include "hil-mocks/memory_line.hpp"
 #include "hil-mocks/robot_options.hpp"
 #include "hil-mocks/torque_on_counter.hpp"
@@ -153,6 +155,30 @@ TEST_F(Instructions, ANoisyLineIsNotReportedAsAnotherFirmware) {
     for (const ServoFacts& servo : facts.servo) EXPECT_TRUE(servo.bulk_read_works && servo.sync_write_works) << seed;
     for (std::size_t i = 0; i < kJoints; ++i) EXPECT_EQ(led(static_cast<Joint>(i)), 0) << seed;
   }
+}
+
+/// Damages the board's first reply to a BULK_READ.
+class DamagedBlock final : public SlowLine {
+ public:
+  explicit DamagedBlock(hil::MemoryLine& line) : SlowLine{line, Nanos{0}} {}
+  LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override {
+    const LineStatus status = SlowLine::read(into, count, deadline);
+    if (status != LineStatus::kOk || count != kBoardWindow.frameBytes() || into[2] != kBoardId || damaged_)
+      return status;
+    into[count - 1] ^= 1;
+    damaged_ = true;
+    return status;
+  }
+
+ private:
+  bool damaged_ = false;
+};
+
+TEST_F(Instructions, ADamagedReplyOfTheBoardIsNotReportedAsAnotherFirmware) {
+  start();
+  DamagedBlock damaged{*line};
+  const RobotFacts facts = measure(damaged, ProbeOptions::quick());
+  EXPECT_TRUE(facts.instructions.bulk_read && facts.instructions.sync_write && facts.instructions.all_blocks);
 }
 
 TEST_F(Instructions, ASilentServoDoesNotHideTheOthers) {
