@@ -63,8 +63,8 @@ TEST_F(DoctorJson, ABrokenChainHasItsPlaceAndRemedyAndEachKeyIsDocumented) {
   startVirtualRobot("", {"--servo", "AnkleR=missing", "--servo", "FootR=missing"});
   const json document = examine(1);
   const json fault = faultIn(document, "chain_broken");
-  EXPECT_EQ(fault["servos"], json::array({15}));
-  EXPECT_FALSE(fault["remedy"].get<std::string>().empty());
+  EXPECT_EQ(fault.value("servos", json::array()), json::array({15}));
+  EXPECT_FALSE(fault.value("remedy", std::string{}).empty());
   std::set<std::string> keys;
   collectKeys(document, "", keys);
   EXPECT_GE(keys.size(), 12U);
@@ -80,8 +80,8 @@ TEST_F(DoctorJson, ABrokenChainHasItsPlaceAndRemedyAndEachKeyIsDocumented) {
 TEST_F(DoctorJson, AnExchangedPairNamesBothServos) {
   startVirtualRobot("", {"--servo", "ShoulderR=id:13", "--servo", "LegLowerR=id:1"});
   const json fault = faultIn(examine(0), "swapped");
-  EXPECT_EQ(fault["servos"], json::array({1}));
-  EXPECT_EQ(fault["other"], 13);
+  EXPECT_EQ(fault.value("servos", json::array()), json::array({1}));
+  EXPECT_EQ(fault.value("other", 0), 13);
 }
 
 TEST_F(DoctorJson, AWarningDoesNotChangeTheExitCode) {

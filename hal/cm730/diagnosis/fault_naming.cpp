@@ -1,15 +1,14 @@
 #include "hal/cm730/diagnosis/fault_naming.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
 
 #include "core/servo_limits.hpp"
-#include "hal/cm730/diagnosis/chains.hpp"
 #include "hal/cm730/diagnosis/line_events.hpp"
 #include "hal/cm730/diagnosis/servo_rows.hpp"
+#include "hal/cm730/diagnosis/silent_servos.hpp"
 #include "hal/cm730/diagnosis/swapped_servos.hpp"
 #include "hal/cm730/serial_open.hpp"
 
@@ -38,16 +37,15 @@ std::string inMs(Nanos time) {
   return text;
 }
 
-std::string listOf(const std::bitset<kJoints>& joints) {
-  if (joints.count() == 1) return servoName(static_cast<Joint>(std::countr_zero(joints.to_ulong())));
-  std::string text = "servos";
-  forEachJoint(joints, [&](std::size_t i) { text.append(" ").append(std::to_string(servoId(i))); });
-  return text;
-}
-
 void replaceAll(std::string& text, std::string_view word, const std::string& by) {
   for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + by.size()))
     text.replace(at, word.size(), by);
+}
+
+FaultPlace placeOf(const LooseConnector& loose) {
+  FaultPlace place{BusFault::kLooseConnector, only(loose.first), loose.evidence};
+  place.from_text = loose.from ? servoName(*loose.from) : "the board";
+  return place;
 }
 
 class Naming {
@@ -66,10 +64,6 @@ class Naming {
   }
 
  private:
-  struct Words {
-    std::string other, from;
-  };
-
   [[nodiscard]] bool has(Kind kind) const {
     return std::ranges::any_of(findings_, [kind](const Finding& row) { return row.is(kind); });
   }
@@ -83,21 +77,20 @@ class Naming {
     return joints;
   }
 
-  NamedFault& name(BusFault fault, std::string evidence, std::bitset<kJoints> joints = {}, const Words& words = {}) {
-    NamedFault named;
-    named.fault = fault;
-    named.joints = joints;
-    named.evidence = std::move(evidence);
-    named.what = row(fault).what;
-    named.remedy = row(fault).remedy;
+  void name(BusFault fault, std::string evidence, const std::bitset<kJoints>& joints = {}) {
+    name({fault, joints, std::move(evidence)});
+  }
+  void name(const FaultPlace& place) {
+    NamedFault named{place.fault, place.joints, place.other, {}, {}, place.evidence};
+    named.what = row(place.fault).what;
+    named.remedy = row(place.fault).remedy;
     for (std::string* text : {&named.what, &named.remedy}) {
       replaceAll(*text, "PORT", facts_.port);
-      replaceAll(*text, "SERVO", listOf(joints));
-      replaceAll(*text, "OTHER", words.other);
-      replaceAll(*text, "FROM", words.from);
+      replaceAll(*text, "SERVO", servoNames(place.joints));
+      replaceAll(*text, "OTHER", place.other_text);
+      replaceAll(*text, "FROM", place.from_text);
     }
     named_.push_back(std::move(named));
-    return named_.back();
   }
 
   void nameThePort() {
@@ -124,7 +117,8 @@ class Naming {
     else if (low)
       name(BusFault::kSupplyLow, {});
     if (facts_.observed.power_losses > 0)
-      name(BusFault::kBoardResets, "servo power went off " + std::to_string(facts_.observed.power_losses) + " times");
+      name(BusFault::kBoardResets,
+           "servo power went off during the check: " + std::to_string(facts_.observed.power_losses) + "x");
   }
 
   void nameTheLine() {
@@ -137,8 +131,7 @@ class Naming {
     else if (usual >= kUsbDelayed || facts_.long_round_trip >= kUsbDelayedSometimes)
       name(BusFault::kUsbDelays, times + ": a latency timer would delay all of them alike");
     else if (const auto loose = findLooseConnector(facts_))
-      name(BusFault::kLooseConnector, loose->evidence, bit(loose->first),
-           {{}, loose->from ? servoName(*loose->from) : "the board"});
+      name(placeOf(*loose));
     else if (isNoisy(facts_) || has(Kind::kRepliesLost) || has(Kind::kLineNoisy))
       name(BusFault::kNoisyLine, noiseText(facts_));
     if (has(Kind::kCycleTooLong) && !isNamed(BusFault::kLatencyTimer) && !isNamed(BusFault::kUsbDelays) &&
@@ -147,54 +140,24 @@ class Naming {
     if (firstReadLost() && named_.empty()) name(BusFault::kFirstReadLost, {});
   }
 
+  /// With other losses it was one of them.
   [[nodiscard]] bool firstReadLost() const {
-    return facts_.board.readable && (facts_.board.ping_tries > 1 || facts_.instructions.first_lost);
+    return facts_.board.readable && (facts_.board.ping_tries > 1 || facts_.instructions.first_lost) &&
+           lostReplies(facts_) == 0;
   }
 
   void nameSilentServos() {
-    if (has(Kind::kNoServo)) name(BusFault::kNoServo, {});
-    if (!facts_.board.power_on || has(Kind::kNoServo)) return;
-    std::bitset<kJoints> silent = jointsThat([&](std::size_t i) {
-      const ServoFacts& servo = facts_.servo[i];
-      return !servo.absent && !servo.found && !servo.garbled && servo.late_answers == 0;
-    });
-    for (const Chain chain : {Chain::kRightArm, Chain::kLeftArm, Chain::kHead, Chain::kRightLeg, Chain::kLeftLeg})
-      silent &= ~nameBreak(chain, silent);
-    nameGarbled(silent);
-    if (const auto& stray = facts_.observed.stray_ids; silent.count() == 1 && stray.size() == 1) {
-      name(BusFault::kWrongId, {}, silent, {std::to_string(stray[0]), {}});
-      silent.reset();
-    }
-    forEachJoint(silent, [&](std::size_t i) {
-      name(BusFault::kServoSilent, "the other servos of its chain answer", bit(static_cast<Joint>(i)));
-    });
+    if (has(Kind::kNoServo)) return name(BusFault::kNoServo, {});
+    if (!facts_.board.power_on) return;
+    for (const FaultPlace& place : explainSilentServos(facts_)) name(place);
   }
 
-  /// Returns the servos that the break explains.
-  std::bitset<kJoints> nameBreak(Chain chain, const std::bitset<kJoints>& silent) {
-    const ChainBreak where = findBreak(facts_, chain);
-    if (!where.first_silent || where.silent < 2) return {};
-    const auto behind = jointsThat(
-        silent, [&](std::size_t i) { return kJointTable[i].chain == chain && i >= index(*where.first_silent); });
-    if (static_cast<int>(behind.count()) != where.silent) return {};
-    name(BusFault::kChainBroken, listOf(behind) + " are silent: one broken cable is likelier than as many defects",
-         bit(*where.first_silent), {{}, where.last_answering ? servoName(*where.last_answering) : "the board"});
-    return behind;
-  }
-
-  /// Two servos reply at once under one id; a silent one is likely to be the second.
-  void nameGarbled(std::bitset<kJoints>& silent) {
-    const auto garbled = jointsOf(Kind::kServoGarbled);
-    if (garbled.count() != 1) return;
-    if (silent.count() != 1) {
-      name(BusFault::kDuplicateId, "its replies are garbled", garbled, {"the new one", {}});
-      return;
-    }
-    const auto second = static_cast<Joint>(std::countr_zero(silent.to_ulong()));
-    name(BusFault::kDuplicateId, "its replies are garbled, and " + servoName(second) + " is silent", garbled,
-         {servoName(second), {}})
-        .other = second;
-    silent.reset();
+  /// A servo whose replies are late or lost also seems to lack instructions.
+  [[nodiscard]] bool isConsequence(BusFault fault) const {
+    constexpr BusFault kCauses[] = {BusFault::kBoardResets,    BusFault::kLatencyTimer, BusFault::kUsbDelays,
+                                    BusFault::kLooseConnector, BusFault::kNoisyLine,    BusFault::kOtherProgram};
+    return fault == BusFault::kServoInstruction &&
+           std::ranges::any_of(kCauses, [this](BusFault cause) { return isNamed(cause); });
   }
 
   void nameByKind() {
@@ -238,17 +201,14 @@ class Naming {
         found = true;
         joints |= jointsOf(entry.kind);
       }
-      if (found) name(static_cast<BusFault>(i), {}, joints);
+      if (found && !isConsequence(static_cast<BusFault>(i))) name(static_cast<BusFault>(i), {}, joints);
     }
   }
 
   void nameSwapped() {
-    const auto pair = findSwapped(facts_);
-    if (!pair) return;
-    name(BusFault::kSwapped, pair->evidence, bit(pair->first), {servoName(pair->second), {}}).other = pair->second;
+    if (const auto pair = findSwapped(facts_))
+      name({BusFault::kSwapped, only(pair->first), pair->evidence, pair->second, servoName(pair->second), {}});
   }
-
-  static std::bitset<kJoints> bit(Joint joint) { return std::bitset<kJoints>{}.set(index(joint)); }
 
   const RobotFacts& facts_;
   const Findings& findings_;

@@ -14,9 +14,9 @@ constexpr double kShortReadBytes = 8 + 8, kLongReadBytes = 8 + 50;
 constexpr double kNoisyPerByte = 5e-4;
 constexpr int kNoisyLosses = 5;
 
-constexpr int kLooseEvents = 3;
+constexpr int kLooseEvents = 5;
 constexpr double kLooseShare = 0.8;    // of all events, in its chain
-constexpr double kLooseRate = 0.03;    // lost replies of the servos behind it
+constexpr double kLooseRate = 0.05;    // lost replies of the servos behind it
 constexpr double kBehindShare = 0.25;  // of the events of the worst servo in the chain
 
 int lossesOf(const ServoFacts& servo) {
@@ -39,12 +39,6 @@ double byteCount(const RobotFacts& facts) {
   for (const ServoFacts& servo : facts.servo)
     bytes += servo.reads * kShortReadBytes + servo.long_reads * kLongReadBytes;
   return bytes;
-}
-
-int lossCount(const RobotFacts& facts) {
-  int losses = 0;
-  for (const ServoFacts& servo : facts.servo) losses += lossesOf(servo);
-  return losses;
 }
 
 }  // namespace
@@ -84,14 +78,20 @@ std::optional<LooseConnector> findLooseConnector(const RobotFacts& facts) {
   return loose;
 }
 
+int lostReplies(const RobotFacts& facts) {
+  int losses = 0;
+  for (const ServoFacts& servo : facts.servo) losses += lossesOf(servo);
+  return losses;
+}
+
 bool isNoisy(const RobotFacts& facts) {
-  const int losses = lossCount(facts);
+  const int losses = lostReplies(facts);
   return losses >= kNoisyLosses && losses >= kNoisyPerByte * byteCount(facts);
 }
 
 std::string noiseText(const RobotFacts& facts) {
   char text[100];
-  std::snprintf(text, sizeof text, "%d replies were lost in %.0f bytes, in all chains", lossCount(facts),
+  std::snprintf(text, sizeof text, "%d replies were lost in %.0f bytes, in all chains", lostReplies(facts),
                 byteCount(facts));
   return text;
 }

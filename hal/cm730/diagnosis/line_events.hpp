@@ -17,6 +17,8 @@ struct LooseConnector {
 /// Replies are lost in the tail of one chain only.
 std::optional<LooseConnector> findLooseConnector(const RobotFacts& facts);
 
+/// Reads of servos without a reply.
+int lostReplies(const RobotFacts& facts);
 /// Lost replies exceed what is normal, by the bytes that were transmitted.
 bool isNoisy(const RobotFacts& facts);
 std::string noiseText(const RobotFacts& facts);

@@ -83,7 +83,9 @@ class Observation {
       if (!servo.readable) continue;
       ++servo.long_reads;
       const Patience once{1, facts_.round_trip + kReplyMargin};
-      if (!note(readRegisters(line_, kJointTable[i].id, 0, kTableBytes, once)).ok()) ++servo.long_losses;
+      const bool answered = note(readRegisters(line_, kJointTable[i].id, 0, kTableBytes, once)).ok();
+      if (!answered) ++servo.long_losses;
+      burst_.note(line_, facts_, answered);
     }
   }
 
@@ -111,10 +113,20 @@ class Observation {
   ByteLine& line_;
   RobotFacts& facts_;
   Nanos began_, next_pings_{0};
+  LossBurst burst_;
   bool power_was_on_;
 };
 
 }  // namespace
+
+void LossBurst::note(ByteLine& line, RobotFacts& facts, bool answered) {
+  in_a_row_ = answered ? 0 : in_a_row_ + 1;
+  if (in_a_row_ < 2 || facts.lost) return;
+  in_a_row_ = 0;
+  const Answer board = ping(line, kBoardId, {1, facts.round_trip + kReplyMargin});
+  const LineStatus waited = board.status == LineStatus::kTimeout ? pass(line, kFrameTimeout) : board.status;
+  facts.lost = waited == LineStatus::kLost;
+}
 
 void countForeignFrames(ByteLine& line, RobotFacts& facts) {
   if (pass(line, kSettling) == LineStatus::kLost) facts.lost = true;

@@ -7,9 +7,19 @@
 
 namespace darwinop::cm730 {
 
-/// Receives for 0.2 s without a request and counts valid frames: replies to requests of another program. What arrives in
-/// the first 30 ms is discarded: it may answer the last request of this one.
+/// Receives for 0.2 s without a request and counts valid frames: replies to requests of another program. What arrives
+/// in the first 30 ms is discarded: it may answer the last request of this one.
 void countForeignFrames(ByteLine& line, RobotFacts& facts);
+
+/// Ends a burst of losses that a single damaged length byte causes: after two losses in a row the board is asked, and if
+/// it is silent as well, devices get the time to discard their frame.
+class LossBurst {
+ public:
+  void note(ByteLine& line, RobotFacts& facts, bool answered);
+
+ private:
+  int in_a_row_ = 0;
+};
 
 /// Reads for at least 1.5 s: whole tables of the readable servos, pings of the silent ones, servo power, torque; then
 /// pings unused ids if servos are silent. Servo power that has gone off is switched on again; nothing else is written.

@@ -215,6 +215,7 @@ class Probe {
 
   void measureLosses() {
     const Nanos until = line_.now() + options_.loss_budget;
+    LossBurst burst;
     for (int round = 0; round < options_.loss_reads_per_servo; ++round)
       for (std::size_t i = 0; i < kJoints; ++i) {
         ServoFacts& servo = facts_.servo[i];
@@ -224,6 +225,7 @@ class Probe {
         const Answer answer = note(
             readRegisters(line_, kJointTable[i].id, servo::kPresentPosition, 2, {1, facts_.round_trip + kStallMargin}));
         if (!answer.ok()) ++servo.losses;
+        if (options_.observe) burst.note(line_, facts_, answer.ok());
       }
   }
 
