@@ -11,8 +11,8 @@ namespace darwinop::cm730 {
 /// in the first 30 ms is discarded: it may answer the last request of this one.
 void countForeignFrames(ByteLine& line, RobotFacts& facts);
 
-/// Ends a burst of losses that a single damaged length byte causes: after two losses in a row the board is asked, and if
-/// it is silent as well, devices get the time to discard their frame.
+/// Ends a burst of losses that a single damaged length byte causes: after two losses in a row the board is asked, and
+/// if it is silent as well, devices get the time to discard their frame.
 class LossBurst {
  public:
   void note(ByteLine& line, RobotFacts& facts, bool answered);

@@ -40,8 +40,8 @@ Answer writeRegisters(ByteLine& line, std::uint8_t id, std::uint8_t address, Byt
 /// Waits on the line's clock and discards received bytes. kLost: the line was lost.
 LineStatus pass(ByteLine& line, Nanos duration);
 
-/// Devices wait up to 100 ms for the rest of a frame, so a damaged length byte makes them take the next requests for it.
-/// After this time they expect a new frame. Source: CM-730 firmware; of the MX-28 unknown.
+/// Devices wait up to 100 ms for the rest of a frame, so a damaged length byte makes them take the next requests for
+/// it. After this time they expect a new frame. Source: CM-730 firmware; of the MX-28 unknown.
 inline constexpr Nanos kFrameTimeout{110'000'000};
 
 }  // namespace darwinop::cm730
