@@ -77,7 +77,8 @@ Setting readSetting(const std::string& text) {
   if (text.starts_with(kTcpScheme)) return {RobotKind::kTcp, {}, {}, addressIn(text)};
   if (text.find('/') != std::string::npos && text.find("://") == std::string::npos)
     return {RobotKind::kSerial, text, {}, {}};
-  throw std::runtime_error("'" + text + "' is not a robot this version knows. DARWINOP_ROBOT or --robot can be:\n" +
+  throw std::runtime_error("'" + text +
+                           "' is not a robot that this version supports. DARWINOP_ROBOT or --robot can be:\n" +
                            settingChoices());
 }
 

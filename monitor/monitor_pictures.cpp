@@ -17,8 +17,8 @@ constexpr double kDriverLooks = 20;  // Hz
 
 void Monitor::publishPictures() {
   if (std::exchange(searches_changed_, false)) updateSearches();
-  const auto wants = [](const auto& subscriber) { return subscriber.second.subscription.camera > 0; };
-  const bool wanted = std::ranges::any_of(subscribers_, wants);
+  const auto requests = [](const auto& subscriber) { return subscriber.second.subscription.camera > 0; };
+  const bool wanted = std::ranges::any_of(subscribers_, requests);
   const bool runs = runtime_.block() != nullptr;
   if (wanted && runs && driver_pace_.due(now_, kDriverLooks)) driver_ = runtime_.driver();
   camera_.update(wanted && runs, driver_ == 0 || driver_ == own_driver_, now_);

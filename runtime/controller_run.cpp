@@ -158,7 +158,7 @@ int runController(const RunRequest& request) {
   } else {
     std::cout << '\n'
               << (isElsewhere(request.robot)
-                      ? "The loop ran on the other computer, which knows how it fared: darwinop runtime --status\n"
+                      ? "The loop ran on the other computer; its report: darwinop runtime --status there\n"
                       : reportText({}, {}))
               << reportLine({}, {}) << std::endl;
   }

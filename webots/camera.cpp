@@ -67,7 +67,7 @@ void Camera::setFov(double) {
 }
 
 double Camera::getExposure() const {
-  warnOnce("Camera::getExposure() returns NaN: this version does not know it");
+  warnOnce("Camera::getExposure() returns NaN: this version does not read it");
   return std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -10,7 +10,7 @@ namespace darwinop::remote {
 namespace {
 
 /// Why a controller must not resume its session; empty: it may. A new session would start the robot again and clear
-/// faults that nobody has seen.
+/// unseen faults.
 std::string whyNotResumed(const SafetyReport& report, bool only_if_up) {
   if (report.controller_must_end) {
     const FaultRow& fault = row(report.worst);
