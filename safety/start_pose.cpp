@@ -74,8 +74,8 @@ std::string describe(const StartPoseCheck& check) {
   if (!a[0].known() || !a[1].known() || !a[2].known())
     text += kOrientationUnknown + std::string{": the board has not reported its acceleration\n"};
   else
-    addLine(text, "%s: acceleration %.2f %.2f %.2f m/s2, should be 0 0 9.81, each within %.2f\n", kNotUpright,
-            a[0].value, a[1].value, a[2].value, kOrientationTolerance);
+    addLine(text, "%s: acceleration %.2f %.2f %.2f m/s2, should be 0 0 %.2f, each within %.2f\n", kNotUpright,
+            a[0].value, a[1].value, a[2].value, kUpright[2], kOrientationTolerance);
   return text;
 }
 

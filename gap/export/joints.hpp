@@ -8,6 +8,9 @@
 
 namespace darwinop::gap {
 
+/// kg m2. Least inertia of a link: none cannot be simulated. The default rotor has 30 000 times this.
+inline constexpr double kLightestLink = 1e-7;
+
 class TargetJoint {
  public:
   virtual ~TargetJoint() = default;

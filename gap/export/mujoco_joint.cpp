@@ -11,8 +11,6 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kLightestLink = 1e-7;  // kg m2
-
 class MujocoJoint final : public TargetJoint {
  public:
   MujocoJoint(const ServoNumbers& servo, const ArmNumbers& arm, double step_s)

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/conversions.hpp"
 #include "core/units.hpp"
 #include "gap/plant/baseline_alias.hpp"
 #include "gap/plant/bench/surroundings.hpp"
@@ -16,8 +17,6 @@ namespace darwinop::gap {
 namespace {
 
 using Effects = std::vector<std::unique_ptr<twin::Effect>>;
-
-constexpr double kPerGain = 8;  // of the P register (manual); Ki and Kd have the same scale
 
 Effects effectsOf(const Hypothesis& hypothesis, const double& temperature_c) {
   Effects all;
@@ -31,7 +30,7 @@ ServoDrive atTheGoal(const Hypothesis& hypothesis, const Conditions& conditions,
           .goal_rad = 0,
           .speed_limit_rad_s = conditions.speed_limit_rad_s,
           .torque_limit = 1,
-          .p_gain = conditions.p_register / kPerGain,
+          .p_gain = conditions.p_register / kRegisterPerKp,
           .supply_v = hypothesis.servo.supply_v};
 }
 
@@ -39,7 +38,8 @@ ServoDrive atTheGoal(const Hypothesis& hypothesis, const Conditions& conditions,
 void takeMotor(const Hypothesis& hypothesis, const twin::Signals& s, ServoNumbers& out) {
   const twin::ServoParameters& servo = hypothesis.servo;
   const double per_duty_nm = s.kt_nm_a / s.resistance_ohm * servo.supply_v;
-  const double duty_per_rad = servo.duty_per_kp_per_rad * s.p_register, unit = kPerGain * servo.duty_per_kp_per_rad;
+  const double duty_per_rad = servo.duty_per_kp_per_rad * s.p_register;
+  const double unit = kRegisterPerKp * servo.duty_per_kp_per_rad;  // Ki and Kd have the scale of Kp
   out.p_on_torque = s.law == twin::Law::kVoltageP;
   out.stiffness_nm_rad = per_duty_nm * duty_per_rad;
   out.stall_nm = std::min(per_duty_nm * s.duty_limit, s.torque_limit_nm);

@@ -11,7 +11,7 @@ namespace darwinop::gap {
 /// The conditions under which a hypothesis becomes constant numbers.
 struct Conditions {
   double p_register = 32;                                              // register 28
-  double temperature_c = 25;                                           // where friction and copper are taken
+  double temperature_c = twin::kRoomC;                                 // where friction and copper are taken
   double speed_limit_rad_s = std::numeric_limits<double>::infinity();  // of the servo's profile, register 32
 };
 

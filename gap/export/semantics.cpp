@@ -11,7 +11,6 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kHeldBefore = 1.0;  // s; as a twin's roll-out: the host held the first goal for a while
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Rows of a log and steps of a target are two clocks: commands come with the rows.

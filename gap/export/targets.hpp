@@ -14,7 +14,7 @@ struct ExportSettings {
   std::string joint = "joint";                    // letters, digits, '_' and '-'
   std::string model = "a model of darwinop gap";  // named in the comments
   double p_register = 32;
-  double temperature_c = 25;
+  double temperature_c = twin::kRoomC;
   double payload_kg = 0;  // of the link that is written with the joint: an arm as of a bench
   double step_s = std::numeric_limits<double>::quiet_NaN();  // of the target; NaN: its usual one
 

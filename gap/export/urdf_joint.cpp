@@ -9,15 +9,13 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kLightestChild = 1e-7;  // kg m2
-
 class UrdfJoint final : public TargetJoint {
  public:
   UrdfJoint(const ServoNumbers& servo, const ArmNumbers& arm, double step_s)
       : f_{urdfFields(servo)},
         arm_{arm},
         h_{step_s},
-        link_kgm2_{std::max(arm.inertia_kgm2 + servo.armature_kgm2, kLightestChild)} {}
+        link_kgm2_{std::max(arm.inertia_kgm2 + servo.armature_kgm2, kLightestLink)} {}
 
   void reset(double position_rad) override {
     q_ = position_rad;

@@ -12,9 +12,8 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kGearKgm2 = 4e-9;     // of the body within the gap, as in the model of the robot's successor
-constexpr double kErp = 0.2;           // ODE: share of a stop's overlap that one step takes back
-constexpr double kLightestArm = 1e-7;  // kg m2
+constexpr double kGearKgm2 = 4e-9;  // of the body within the gap, as in the model of the robot's successor
+constexpr double kErp = 0.2;        // ODE: share of a stop's overlap that one step takes back
 
 class WebotsJoint final : public TargetJoint {
  public:
@@ -22,7 +21,7 @@ class WebotsJoint final : public TargetJoint {
       : f_{webotsFields(servo)},
         arm_{arm},
         h_{step_s},
-        arm_kgm2_{std::max(arm.inertia_kgm2 + servo.armature_kgm2, kLightestArm)} {}
+        arm_kgm2_{std::max(arm.inertia_kgm2 + servo.armature_kgm2, kLightestLink)} {}
 
   void reset(double position_rad) override {
     q_ = {position_rad, position_rad};

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/conversions.hpp"
 #include "core/servo_limits.hpp"
 #include "experiments/format/shape.hpp"
 #include "gap/plan/messages.hpp"
@@ -15,12 +16,11 @@ using experiments::Phase;
 using experiments::TorqueMode;
 
 constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRegisterPerP = 8;  // of the P gain (manual)
 
 /// Why a phase cannot be predicted; empty: it can.
 std::string_view hindrance(const Phase& phase) {
   using experiments::Until;
-  const bool weak = phase.newton_meter.begin < 2.5 || phase.newton_meter.end < 2.5;
+  const bool weak = phase.newton_meter.begin < kMaxTorqueNm || phase.newton_meter.end < kMaxTorqueNm;
   if (phase.torque == TorqueMode::kDirect) return messages::kTorqueNotLogged;
   if (phase.torque == TorqueMode::kLimit && weak) return messages::kTorqueLimitNotLogged;
   if (phase.acceleration > 0) return "it limits the acceleration, which logs do not record";
@@ -40,7 +40,7 @@ class Recorder {
   void add(const Phase& phase) {
     if (const std::string_view why = hindrance(phase); !why.empty())
       throw std::runtime_error("[phase " + phase.name + "] cannot be predicted: " + std::string{why});
-    const double p_register = phase.p_gain * kRegisterPerP, speed_limit = speedLimitOf(phase);
+    const double p_register = phase.p_gain * kRegisterPerKp, speed_limit = speedLimitOf(phase);
     if (stretches_.empty() || stretches_.back().log.p_register != p_register ||
         stretches_.back().log.speed_limit_rad_s != speed_limit)
       begin(p_register, speed_limit);

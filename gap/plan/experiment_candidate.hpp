@@ -16,14 +16,14 @@ struct ExperimentCandidate {
   double payload_kg = 0;               // at the end of the arm
   std::string prepare;                 // "hang 100 g more to the arm"; empty: nothing
   double prepare_s = 0;                // of a person's time
-  double temp_c = 25;                  // of the servo
+  double temp_c = twin::kRoomC;        // of the servo
   double session_start_s = 0;
 };
 
 /// Conditions under which the logs of a case were recorded; a planned log is likely to have the same.
 struct Circumstances {
-  double payload_kg = 0;            // that most logs have
-  double cold_c = 25, warm_c = 25;  // least and greatest temperature seen
+  double payload_kg = 0;                                // that most logs have
+  double cold_c = twin::kRoomC, warm_c = twin::kRoomC;  // least and greatest temperature seen
   double session_end_s = 0;
 };
 Circumstances circumstancesOf(const Case& given);

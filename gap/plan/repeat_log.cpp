@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/conversions.hpp"
 #include "gap/plan/commands.hpp"
 #include "gap/plan/experiment_candidate.hpp"
 
@@ -53,7 +54,7 @@ experiments::Experiment again(const Trajectory& log, const ArmSetup& stand, cons
       experiments::Phase& phase = round.phases.emplace_back();
       phase.name = limp ? "limp" : "follow";
       phase.joints = {{stand.joint, 1}};
-      phase.p_gain = log.p_register / 8;
+      phase.p_gain = log.p_register / kRegisterPerKp;
       if (log.speed_limit_rad_s > 0) phase.velocity = log.speed_limit_rad_s;
       if (limp) phase.torque = experiments::TorqueMode::kOff;
       if (!limp) phase.goal.shape = experiments::Shape::kSteps;

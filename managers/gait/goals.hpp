@@ -6,6 +6,7 @@
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
+#include "core/poses.hpp"
 #include "managers/gait/leg.hpp"
 
 namespace darwinop::gait {
@@ -23,9 +24,12 @@ struct Goals {
   [[nodiscard]] double rad(std::size_t joint) const { return radFromTicks(tick[joint]).value; }
 };
 
-/// Standing with the default parameters. Source: the engine at rest, equal to page 9, "walkready", of the motion file.
-inline constexpr Goals kStanding{
-    {1498, 2518, 1845, 2248, 2381, 1712, 2048, 2048, 2052, 2044, 1637, 2459, 2653, 1443, 2389, 1707, 2057, 2039}};
+/// Standing with the default parameters: the engine at rest.
+inline constexpr Goals kStanding = [] {
+  Goals goals;
+  for (std::size_t i = 0; i < kWalkingJoints; ++i) goals.tick[i] = kWalkReadyTicks[i];
+  return goals;
+}();
 
 /// Empty if a foot is out of reach.
 std::optional<Goals> goalsFor(const Feet& feet, const Parameters& parameters);

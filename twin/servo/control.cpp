@@ -2,14 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/conversions.hpp"
 #include "twin/servo/servo.hpp"
 
 namespace darwinop::twin {
-namespace {
-
-constexpr double kRegisterPerGain = 8;  // Kp = register / 8 (manual)
-
-}  // namespace
 
 // Law voltage_p follows a profile. Law speed_p (Webots) has none: its speed and acceleration limits act on the motor.
 void Servo::followGoal(double dt_s) noexcept {
@@ -28,7 +24,7 @@ void Servo::followGoal(double dt_s) noexcept {
 void Servo::control(const ServoDrive& drive, double dt_s) noexcept {
   Signals& s = signals_;
   s.error_rad = s.set_point_rad - s.measured_rad;
-  s.p_register = drive.p_gain * kRegisterPerGain;
+  s.p_register = drive.p_gain * kRegisterPerKp;
   s.i_gain = drive.i_gain;
   s.d_gain = drive.d_gain;
   s.duty_offset = 0;
@@ -52,7 +48,7 @@ void Servo::control(const ServoDrive& drive, double dt_s) noexcept {
 void Servo::applyVoltageLaw(double dt_s) noexcept {
   Signals& s = signals_;
   // Ki and Kd use the scale of Kp: one unit of Kp is 8 register units.
-  const double scale = kRegisterPerGain * parameters_.duty_per_kp_per_rad;
+  const double scale = kRegisterPerKp * parameters_.duty_per_kp_per_rad;
   integral_ += s.i_gain * scale * s.error_rad * dt_s;
   integral_ = s.i_gain == 0 ? 0 : std::clamp(integral_, -s.duty_limit, s.duty_limit);  // anti-windup
   const double derivative = s.d_gain * scale * (s.error_rad - last_error_) / dt_s;

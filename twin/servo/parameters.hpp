@@ -7,6 +7,9 @@
 
 namespace darwinop::twin {
 
+/// degC. Temperature of the room, and of a servo where nothing says otherwise.
+inline constexpr double kRoomC = 25;
+
 /// Control law: what the P gain acts on.
 enum class Law {
   kVoltageP,  // real servo: P sets the bridge duty, so a loaded joint has a steady-state error
@@ -36,7 +39,7 @@ struct ServoParameters {
   double accel_max_rad_s2 = std::numeric_limits<double>::infinity();  // of the commanded velocity
 
   // Thermal model of winding and case.
-  double ambient_c = 25, heat_resistance_k_w = 8, heat_capacity_j_k = 60;
+  double ambient_c = kRoomC, heat_resistance_k_w = 8, heat_capacity_j_k = 60;
   // Overload: at least this fraction of the torque limit for this long.
   double overload_share = 0.98, overload_time_s = 2;
 };

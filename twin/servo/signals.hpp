@@ -32,7 +32,7 @@ struct Signals {
   double supply_v = 12, current_a = 0;
   double kt_nm_a = 0, resistance_ohm = 0, back_emf_vs_rad = 0;
   double torque_limit_nm = std::numeric_limits<double>::infinity();  // of the motor
-  double temperature_c = 25;
+  double temperature_c = kRoomC;
 
   // Mechanics. Torques at the horn, positive counter-clockwise.
   double position_rad = 0, velocity_rad_s = 0;  // of the gear side; on a bench, mid-step predictions

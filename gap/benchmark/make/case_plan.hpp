@@ -21,7 +21,7 @@ std::string_view nameOf(Baseline baseline);
 
 /// Over a session.
 struct WarmUp {
-  double start_c = 25, rise_k = 22, time_s = 40;
+  double start_c = twin::kRoomC, rise_k = 22, time_s = 40;
   [[nodiscard]] double at(double session_s) const;
 };
 

@@ -7,16 +7,16 @@
 
 #include "core/conversions.hpp"
 #include "gap/benchmark/make/rigid_arm.hpp"
+#include "gap/plant/bench/roll_out.hpp"
 #include "gap/plant/bench/surroundings.hpp"
+#include "gap/plant/registers.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kHeldFor = 1.0;  // s at the first goal, before the first row
-constexpr int kSoftSteps = 8;     // mechanical steps in a firmware period
+constexpr int kSoftSteps = 8;  // mechanical steps in a firmware period
 constexpr double kFineTicks = 1 << 26;
-constexpr double kPPerRegister = 1.0 / 8;
-constexpr double kLoadUnit = 0.001, kVoltUnit = 0.1, kTempUnit = 1;
+constexpr double kTempStep = 1;  // degC, of the register
 
 /// All effects of the true bench: noise and temperature first, effects outside the catalogue last.
 std::vector<std::unique_ptr<twin::Effect>> effectsOf(const Truth& truth, std::unique_ptr<twin::Effect> surroundings,
@@ -43,11 +43,11 @@ class Session {
     drive_.speed_limit_rad_s =
         log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity();
     drive_.torque_limit = 1;
-    drive_.p_gain = log.p_register * kPPerRegister;
+    drive_.p_gain = log.p_register * kGainPerCount;
     drive_.supply_v = supply_v_;
     command(0);
     const bool held = plan.given.goal_order == GoalOrder::kAfterRead && drive_.torque_on;
-    const double before_s = held ? kHeldFor : 0;
+    const double before_s = held ? kHeldBefore : 0;
     session_s_ = log.session_start_s - before_s;
     temperature_c_ = plan.warmth.at(session_s_);
     arm_.reset({.steps_per_period = kSoftSteps,
@@ -106,7 +106,7 @@ class Session {
 
   const CasePlan& plan_;
   Trajectory& log_;
-  double period_s_, supply_v_, session_s_ = 0, temperature_c_ = 25;
+  double period_s_, supply_v_, session_s_ = 0, temperature_c_ = twin::kRoomC;
   Arm arm_;
   std::optional<GaussMarkov> ripple_;
   ServoDrive drive_;
@@ -122,9 +122,9 @@ void roundColumns(const Disturbance& disturbance, double ticks_per_rev, Trajecto
   for (double& position : log.position_rad) position += disturbance.encoder_ticks * tick * rng.normal();
   roundTo(tick, log.position_rad);
   roundTo(kRadPerSecPerCount, log.speed_rad_s);
-  roundTo(kLoadUnit, log.load);
-  roundTo(kVoltUnit, log.volt_v);
-  roundTo(kTempUnit, log.temp_c);
+  roundTo(kLoadStep, log.load);
+  roundTo(kVoltStep, log.volt_v);
+  roundTo(kTempStep, log.temp_c);
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <limits>
 #include <memory>
 
+#include "core/conversions.hpp"
 #include "gap/plant/bench/surroundings.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kRegisterPerKp = 8;    // of the P gain (manual)
 constexpr double kFineTicks = 1 << 26;  // the measured positions are in ticks already
 constexpr double kInstant = 1e-6;       // of a period
 
@@ -31,8 +31,7 @@ std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t 
 }
 
 double temperatureOf(const Trajectory& log, std::size_t row) {
-  constexpr double kRoom = 25;  // degC, where the log has none
-  return std::isnan(log.temp_c[row]) ? kRoom : log.temp_c[row];
+  return std::isnan(log.temp_c[row]) ? twin::kRoomC : log.temp_c[row];
 }
 
 FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {

@@ -14,9 +14,6 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kRegisterPerGain = 8;  // of the P gain (manual)
-// A host that commands after it reads has held the first goal for a while; one that commands first starts from rest.
-constexpr double kHeldBefore = 1.0;      // s
 constexpr double kExactTicks = 1 << 26;  // a revolution: far below anything that shows
 // A firmware of 0.1 ms costs ten times one of 1 ms, and hardly differs from one of 0.5 ms that looks ahead.
 constexpr double kLongestFold = 5e-4;  // s
@@ -42,7 +39,7 @@ class Run {
               .speed_limit_rad_s =
                   log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity(),
               .torque_limit = 1,
-              .p_gain = log.p_register / kRegisterPerGain,
+              .p_gain = log.p_register / kRegisterPerKp,
               .supply_v = nominal_v_};
     begin(hypothesis);
   }
@@ -114,7 +111,8 @@ class Run {
   /// That of the last of the periods that the simulated one stands for.
   [[nodiscard]] double loadNow() const {
     const double load = bench_.servo().report().load, most = bench_.servo().signals().duty_limit;
-    const bool jumped = std::abs(load - load_before_) > kLoadJump;  // a goal that came late, a torque that came on
+    const bool jumped =
+        std::abs(load - load_before_) > kLoadJump;  // a goal that came late, a torque that came on
     return jumped ? load : std::clamp(load + (load - load_before_) * aheadS() / period_s_, -most, most);
   }
 
@@ -131,9 +129,8 @@ class Run {
   }
 
   [[nodiscard]] double temperatureAt(std::size_t row) const {
-    constexpr double kRoom = 25;  // degC, where the log has none
     const double temperature = log_.warmth_c.empty() ? log_.temp_c[row] : log_.warmth_c[row];
-    return std::isnan(temperature) ? kRoom : temperature;
+    return std::isnan(temperature) ? twin::kRoomC : temperature;
   }
 
   [[nodiscard]] twin::ServoParameters servoOf(const Hypothesis& hypothesis) const {

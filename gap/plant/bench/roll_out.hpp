@@ -5,6 +5,9 @@
 
 namespace darwinop::gap {
 
+/// s. A host that commands after it reads has held the first goal this long; one that commands first starts from rest.
+inline constexpr double kHeldBefore = 1.0;
+
 /// Reuses the memory of `trace`. May run in several threads at once, each with a trace of its own. Throws
 /// std::runtime_error for an impossible hypothesis (no inertia left).
 void rollOut(const Case& given, std::size_t log, const Hypothesis& hypothesis, const RollOutOptions& options,

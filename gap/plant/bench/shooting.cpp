@@ -5,10 +5,13 @@
 #include <limits>
 #include <memory>
 
+#include "core/conversions.hpp"
 #include "gap/plant/bench/block_residuals.hpp"
 #include "gap/plant/bench/firmware_run.hpp"
 #include "gap/plant/bench/internal_effect.hpp"
 #include "gap/plant/bench/surroundings.hpp"
+#include "gap/plant/registers.hpp"
+#include "gap/plant/row_state.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -83,7 +86,7 @@ class Shooter {
                    .goal_rad = log_.goal_rad[row],
                    .speed_limit_rad_s = std::numeric_limits<double>::infinity(),
                    .torque_limit = 1,
-                   .p_gain = log_.p_register / 8,
+                   .p_gain = log_.p_register / kRegisterPerKp,
                    .supply_v = drive_.supply_v});
     }
     const double whole_s = static_cast<double>(run_.last[to] - run_.last[from]) * run_.period_s;
