@@ -1,12 +1,13 @@
 // Resolution of the registers that a servo reports.
 #pragma once
 
+#include "core/servo_limits.hpp"
 #include "twin/servo/parameters.hpp"
 
 namespace darwinop::gap {
 
-/// Load 0.1 %, as a fraction; voltage in V; speed 0.114 rpm in rad/s.
-inline constexpr double kLoadStep = 0.001, kVoltStep = 0.1, kSpeedStep = 0.01194;
+/// Load 0.1 %, as a fraction; voltage in V; speed in rad/s.
+inline constexpr double kLoadStep = 0.001, kVoltStep = 0.1, kSpeedStep = kRadPerSecPerCount;
 /// The servo computes its speed from positions this many seconds apart.
 inline constexpr double kSpeedSpan = 0.024;
 
