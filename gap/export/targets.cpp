@@ -1,10 +1,10 @@
 #include "gap/export/targets.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
+#include "core/text/number_text.hpp"
 #include "gap/export/holds.hpp"
 #include "gap/export/texts.hpp"
 #include "twin/model/number.hpp"
@@ -78,9 +78,7 @@ double JointText::mass() const {
 }
 
 std::string shortest(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr;  // no -0
-  return {text, end};
+  return text::shortestText(value == 0 ? 0.0 : value);  // no -0
 }
 
 std::string attribute(std::string_view key, double value) {

@@ -1,10 +1,10 @@
 #include "gap/plan/experiment_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "core/servo_limits.hpp"
+#include "core/text/number_text.hpp"
 #include "experiments/format/shape.hpp"
 
 namespace darwinop::gap {
@@ -14,15 +14,10 @@ using experiments::Phase;
 using experiments::Shape;
 using experiments::TorqueMode;
 
-/// Shortest text that is the same number again.
-std::string exact(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
 std::string listOf(const std::vector<double>& values, std::string_view unit) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + exact(value) + " " + std::string{unit};
+  for (const double value : values)
+    text += (text.empty() ? "" : ", ") + text::shortestText(value) + " " + std::string{unit};
   return text;
 }
 
@@ -35,7 +30,8 @@ class Writer {
     text += key + " = " + value + "\n";
   }
   void line(std::string key, double value, std::string_view unit) {
-    line(std::move(key), unit.empty() ? exact(value) : exact(value) + " " + std::string{unit});
+    line(std::move(key),
+         unit.empty() ? text::shortestText(value) : text::shortestText(value) + " " + std::string{unit});
   }
   std::string text;
 };
@@ -70,7 +66,8 @@ void writeGoal(const Phase& phase, Writer& out) {
 
 void writeTorque(const Phase& phase, Writer& out) {
   const experiments::Slope& nm = phase.newton_meter;
-  const std::string slope = exact(nm.begin) + " N m" + (nm.begin == nm.end ? "" : " to " + exact(nm.end) + " N m");
+  const std::string slope =
+      text::shortestText(nm.begin) + " N m" + (nm.begin == nm.end ? "" : " to " + text::shortestText(nm.end) + " N m");
   if (phase.torque == TorqueMode::kOff) out.line("torque", "off");
   if (phase.torque == TorqueMode::kDirect) out.line("torque", slope);
   const experiments::Slope usual = Phase{}.newton_meter;

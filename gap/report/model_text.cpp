@@ -1,10 +1,10 @@
 #include "gap/report/model_text.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
 #include "core/text/nearest.hpp"
+#include "core/text/number_text.hpp"
 #include "twin/model/keys.hpp"
 
 namespace darwinop::gap {
@@ -13,9 +13,7 @@ namespace {
 constexpr std::size_t kLine = 110;  // of the 200 characters that a line may have
 
 std::string fourDigits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  return text::generalText(value, 4);
 }
 
 const twin::KeyRow& servoRow(const std::string& key) {

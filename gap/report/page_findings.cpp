@@ -1,8 +1,8 @@
 // What is missing and where it shows: the parts of the page that need a search.
 #include <cmath>
-#include <cstdio>
 
 #include "core/text/joined.hpp"
+#include "core/text/number_text.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
@@ -15,12 +15,6 @@ namespace {
 
 using html::element;
 using html::wrap;
-
-std::string shortly(double value, const char* format) {
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::string estimateRow(const Estimate& estimate) {
   const bool known = estimate.seen && std::isfinite(estimate.low) && std::isfinite(estimate.high);
@@ -42,8 +36,8 @@ std::string foundText(const IdentifiedEffect& found) {
                   "<div class=\"wide\"><table><thead><tr><th>parameter</th><th>value</th><th>90 % interval</th></tr>"
                   "</thead><tbody>\n" +
                   rows + "</tbody></table></div>" +
-                  wrap("p", "Without it the fit is worse by " + html::number(found.gain, shortly(found.gain, "%.0f")) +
-                                ".")) +
+                  wrap("p", "Without it the fit is worse by " +
+                                html::number(found.gain, text::fixedText(found.gain, 0)) + ".")) +
          "\n";
 }
 
@@ -53,17 +47,17 @@ std::string rivalsText(const Identification& identification) {
   for (const Rival& rival : identification.rivals)
     items +=
         wrap("li", wrap("code", html::text(text::joined(rival.effects, " + "))) + " instead: the fit is worse by " +
-                       html::number(rival.behind, shortly(rival.behind, "%.0f")) +
+                       html::number(rival.behind, text::fixedText(rival.behind, 0)) +
                        (rival.isClose() ? ", <strong>too little to decide</strong>" : "")) +
         "\n";
   std::string chance;
   if (std::isfinite(identification.threshold))
-    chance = "A gain of " + html::number(identification.threshold, shortly(identification.threshold, "%.0f")) +
+    chance = "A gain of " + html::number(identification.threshold, text::fixedText(identification.threshold, 0)) +
              " comes by chance once in a hundred cases. ";
   return "<h3>Rivals</h3>" + wrap("ul", items) +
-         wrap("p", chance + "Rivals less than " + shortly(thresholds::kRivalEvidence, "%.0f") +
+         wrap("p", chance + "Rivals less than " + text::fixedText(thresholds::kRivalEvidence, 0) +
                        " behind are not excluded by the data; less than " +
-                       shortly(thresholds::kLargerRivalEvidence, "%.0f") + ", if they have more free parameters.");
+                       text::fixedText(thresholds::kLargerRivalEvidence, 0) + ", if they have more free parameters.");
 }
 
 /// How to distinguish the effect from its rivals.
@@ -75,10 +69,11 @@ std::string experimentText(const Identification& identification) {
 std::string conflictsText(const Identification& identification) {
   std::string items;
   for (const PriorConflict& one : identification.prior_conflicts)
-    items += wrap("li", wrap("code", html::text(one.number)) + " has to be " +
-                            html::number(one.factor, shortly(one.factor, "%.3f")) + " times what was given, " +
-                            html::number(one.sigmas, shortly(std::abs(one.sigmas), "%.1f")) + " sigma of its prior") +
-             "\n";
+    items +=
+        wrap("li", wrap("code", html::text(one.number)) + " has to be " +
+                       html::number(one.factor, text::fixedText(one.factor, 3)) + " times what was given, " +
+                       html::number(one.sigmas, text::fixedText(std::abs(one.sigmas), 1)) + " sigma of its prior") +
+        "\n";
   if (items.empty()) return "";
   return "<h3>Prior conflicts</h3>" + wrap("ul", items) +
          element("p",
@@ -92,8 +87,8 @@ std::string benchText(const Report& report) {
   const double length = model.pendulum.length_m / report.given->pendulum.length_m;
   if (model.payload_scale == 1 && length == 1) return "";
   return wrap("p", "The fit also moved the arm of case.json, within its priors: payload times " +
-                       html::number(model.payload_scale, shortly(model.payload_scale, "%.4f")) + ", length times " +
-                       html::number(length, shortly(length, "%.4f")) +
+                       html::number(model.payload_scale, text::fixedText(model.payload_scale, 4)) + ", length times " +
+                       html::number(length, text::fixedText(length, 4)) +
                        ". That belongs to the bench, so it is not in the model file.");
 }
 
@@ -103,15 +98,16 @@ std::string placeLink(const Report& report, const GapInterval& place) {
   for (std::size_t i = 0; i < report.given->logs.size(); ++i)
     if (report.given->logs[i].file == place.file) {
       const std::string from = "<a href=\"#curves\" data-log=\"" + std::to_string(i) + "\" data-from=\"" +
-                               shortly(place.t0_s, "%.3f") + "\" data-to=\"" + shortly(place.t1_s, "%.3f") + "\">";
-      return from + file + ", " + shortly(place.t0_s, "%.2f") + " to " + shortly(place.t1_s, "%.2f") + " s</a>";
+                               text::fixedText(place.t0_s, 3) + "\" data-to=\"" + text::fixedText(place.t1_s, 3) +
+                               "\">";
+      return from + file + ", " + text::fixedText(place.t0_s, 2) + " to " + text::fixedText(place.t1_s, 2) + " s</a>";
     }
   return file;
 }
 
 std::string placeRow(const Report& report, const GapInterval& place) {
   return "<tr><td>" + placeLink(report, place) + "</td>" + element("td", place.happens) + element("td", place.signal) +
-         "<td>" + html::number(place.size, shortly(place.size, "%.3g")) + " " + html::text(place.unit) + "</td>" +
+         "<td>" + html::number(place.size, text::generalText(place.size, 3)) + " " + html::text(place.unit) + "</td>" +
          element("td", place.block ? std::string{name(*place.block)} : "-") + "</tr>\n";
 }
 

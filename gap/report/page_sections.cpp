@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/text/joined.hpp"
+#include "core/text/number_text.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/line_diff.hpp"
@@ -19,9 +19,7 @@ using html::element;
 using html::wrap;
 
 std::string floors(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, value < 9.95 ? "%.1f" : "%.0f", value);
-  return text;
+  return text::fixedText(value, value < 9.95 ? 1 : 0);
 }
 
 double rounded2(double value) {
@@ -34,9 +32,8 @@ std::string section(std::string_view id, std::string_view title, const std::stri
 
 /// A bar as long as its share of the longest.
 std::string bar(std::string_view kind, const std::string& label, double rad, double longest) {
-  char width[80];
-  std::snprintf(width, sizeof width, " class=\"bar %s\" style=\"width:%.1f%%\"", std::string{kind}.c_str(),
-                std::max(0.4, 100 * rad / longest));
+  const std::string width = " class=\"bar " + std::string{kind} +
+                            "\" style=\"width:" + text::fixedText(std::max(0.4, 100 * rad / longest), 1) + "%\"";
   return wrap("div", element("dt", label) +
                          wrap("dd", html::number(mradOf(rad), inMrad(rad)) + " mrad" + wrap("span", "", width)));
 }

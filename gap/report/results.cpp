@@ -1,10 +1,10 @@
 #include "gap/report/results.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "core/text/joined.hpp"
+#include "core/text/number_text.hpp"
 #include "gap/identify/assessment.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
@@ -13,26 +13,18 @@
 namespace darwinop::gap {
 namespace {
 
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f", value);
-  return text;
-}
-
 /// More digits than a fit determines, few enough to read. Counts and seeds stay.
 double forReading(double value) {
   if (value == std::round(value)) return value;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return std::strtod(text, nullptr);
+  return std::strtod(text::generalText(value, 6).c_str(), nullptr);
 }
 
 std::vector<std::string> reasonsFor(const Case& given, const Identification& identification,
                                     const IdentifiedEffect& found, const std::string& data_hash) {
   std::vector<std::string> lines{"Found by darwinop gap in the logs of case " + given.name +
-                                 ": without it the fit is worse by " + rounded(found.gain)};
+                                 ": without it the fit is worse by " + text::fixedText(found.gain, 0)};
   if (std::isfinite(identification.threshold))
-    lines.front() += "; " + rounded(identification.threshold) + " is exceeded by chance in 1 of 100 cases";
+    lines.front() += "; " + text::fixedText(identification.threshold, 0) + " is exceeded by chance in 1 of 100 cases";
   if (identification.verdict == Verdict::kUnknown)
     lines.emplace_back("It improves the fit and leaves a gap that no effect of the catalogue explains");
   if (identification.remains)
