@@ -2,7 +2,8 @@
 // and twice of each do to cases of another simulator: tests/gap/sensitivity.tsv, printed by tools/gap-sensitivity.sh.
 //
 // "No evidence yet": chosen by judgement; none or fewer than five of these cases have shown what another value does.
-// Limits of what counts as a plausible recording stand beside their checks in gap/case: they judge data, not models.
+// Limits of what counts as a plausible recording stand beside their checks in gap/case: they are facts about servos and
+// judge data, not models. Constants of planning, on which no verdict depends: gap/plan/thresholds.hpp.
 #pragma once
 
 #include <cstddef>
@@ -257,6 +258,9 @@ inline constexpr double kFalseDiscoveries = 0.01;
 inline constexpr double kIndependentShare = 0.5;
 /// Intervals that are listed, and those of loads and voltages among them.
 inline constexpr std::size_t kMostIntervals = 10, kMostBlockIntervals = 4;
+/// Share of the greatest duty that counts as all of it. Shares of an interval's rows without torque and at full duty
+/// from which the interval is named after that. No evidence yet.
+inline constexpr double kFullDutyShare = 0.99, kLimpShare = 0.5, kSaturatedShare = 0.3;
 /// rad from row to row that is a step of the goal; s that it lasts on; rad/s of rest and of slow motion.
 inline constexpr double kGoalStep = 0.1, kAfterGoalStep = 0.3, kRestSpeed = 0.05, kSlowSpeed = 0.3;
 /// Bins of a state variable and of the residual; samples in a bin that is named.
@@ -273,5 +277,26 @@ inline constexpr double kEventShare = 0.8;
 inline constexpr double kLiftedBin = 1.5;
 /// s by which rows of two repeated logs may differ.
 inline constexpr double kSameRowTime = 2e-3;
+
+// ---- Simulation and block residuals (gap/plant) ----
+
+/// s. Rows on either side from which a speed is computed: a parabola through five rows of 16 ms. No evidence yet.
+inline constexpr double kStateHalfWindow = 0.04;
+/// s. A faster firmware is simulated as one of this period that looks ahead: one of 0.1 ms costs ten times one of 1 ms,
+/// and hardly differs.
+inline constexpr double kLongestFold = 5e-4;
+/// Change of the load in such a period from which the duty has jumped: no motion changes it as fast. No evidence yet.
+inline constexpr double kFoldedLoadJump = 0.05;
+/// s, and share of the speed, by which servo families differ in how they compute the speed that they report. No
+/// evidence yet.
+inline constexpr double kSpeedLag = 0.012, kSpeedScale = 0.05;
+
+// ---- Words of a report (gap/report). No verdict depends on them. ----
+
+/// Share of the noise. A held-out error below it is flagged: the noise is less than assumed, or the log is not
+/// independent of the model. No evidence yet.
+inline constexpr double kBelowFloorShare = 0.7;
+/// Share of a gap that counts as unchanged. No evidence yet.
+inline constexpr double kUnchangedGapShare = 0.02;
 
 }  // namespace darwinop::gap::thresholds

@@ -17,14 +17,14 @@ runs=$tree/build/runs/$(git rev-parse --short HEAD:gap)
 program=$tree/build/release/bin/darwinop-gap
 . tools/dev/build.sh
 
-# What sizes an array, seeds a draw or is counted as a statistic stays.
-fixed='kMaxRipplesPerTurn|kResidualLevels|kBootstrapSeed|kInterval90'
+# What sizes an array, seeds a draw, is counted as a statistic or chooses words of a report stays.
+fixed='kMaxRipplesPerTurn|kResidualLevels|kBootstrapSeed|kInterval90|kBelowFloorShare|kUnchangedGapShare'
 # What the code hands to Eigen and the like; the other constants are tracked.
 numbers='kFinestInterval|kCorrelatedSamples|k\w*RobustSigmas|kDiscrepancyTime|kAbsorbedSigmas|kNuisanceStepSigmas'
 numbers+='|kNoise\w*HalfWindow|kFewRunsFactor|kImpossibleSigmas|kRepeatsHalfWindow|kSpreadOf\w+|kIndependentShare'
 numbers+='|kScreenRippleTorque|kRippleTorque|kRippleWindow|kRipplePeriod|kRefinePriorSigmas|kFarthestPriorSigmas'
 numbers+='|kSmallestScale|kLongestStep|kShortestStep|kLeastStepRoom|kSolverTolerance|kJumpGain\w*|kSpeedLawWindow'
-numbers+='|kCrossValidationIterations'
+numbers+='|kCrossValidationIterations|kStateHalfWindow|kLongestFold|kFoldedLoadJump|kSpeedLag|kSpeedScale'
 
 constants() {
   perl -ne 'next unless s/^inline constexpr (?:double|int|std::size_t) //; print "$1\n" while /(\w+) = /g' gap/thresholds.hpp |

@@ -98,14 +98,14 @@ std::string whatHappens(const Trajectory& log, std::size_t first, std::size_t la
   for (std::size_t row = first; row <= last; ++row) {
     const double speed = stateAt(log, row).speed_rad_s;
     limp += log.torque_on[row] == 0 ? 1 : 0;
-    full += std::abs(log.load[row]) >= 0.99 * servo.duty_max ? 1 : 0;
+    full += std::abs(log.load[row]) >= thresholds::kFullDutyShare * servo.duty_max ? 1 : 0;
     fastest = std::max(fastest, std::abs(speed));
     forth = std::max(forth, speed), back = std::max(back, -speed);
   }
   const double rows = static_cast<double>(last - first + 1);
-  if (limp > 0.5 * rows) return "torque off";
-  if (step) return full > 0.3 * rows ? "saturation" : "step";
-  if (full > 0.3 * rows) return "saturation";
+  if (limp > thresholds::kLimpShare * rows) return "torque off";
+  if (step) return full > thresholds::kSaturatedShare * rows ? "saturation" : "step";
+  if (full > thresholds::kSaturatedShare * rows) return "saturation";
   if (fastest < thresholds::kRestSpeed) return "rest";
   if (std::min(forth, back) > thresholds::kRestSpeed) return "reversal";
   return fastest < thresholds::kSlowSpeed ? "slow motion" : "motion";

@@ -6,12 +6,12 @@
 
 #include "experiments/format/plan.hpp"
 #include "experiments/format/shape.hpp"
+#include "gap/plan/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kMargin = 0.03;  // rad between the first pose and a limit: an upper arm hangs beyond its limit
-constexpr double kSettle = 1;     // s
+constexpr double kSettle = 1;  // s
 
 struct ArmRow {
   Joint joint;
@@ -43,7 +43,8 @@ ArmSetup armSetupFor(Joint joint, std::optional<double> hangs_at_rad) {
   setup.pose = experiments::startPose();
   stretchArm(joint, setup.pose);
   const safety::JointRange range = safety::hardRange(joint);
-  setup.pose[index(joint)] = std::clamp(stand.hangs_at_rad, range.low.value + kMargin, range.high.value - kMargin);
+  setup.pose[index(joint)] = std::clamp(stand.hangs_at_rad, range.low.value + thresholds::kStartMargin,
+                                        range.high.value - thresholds::kStartMargin);
   setup.settle_s = kSettle;
   takeTimeFor(setup);
   return stand;

@@ -7,17 +7,17 @@
 
 #include "gap/fit/problem.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plan/thresholds.hpp"
 #include "gap/plants.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kWidestStep = 0.1;  // of the range: beyond that the response is not linear
-
 double stepOf(const Unknown& unknown, double x, double sigma) {
   const double low = unknown.toSearch(unknown.low), high = unknown.toSearch(unknown.high);
-  const double step = std::clamp(sigma, 0.2 * unknown.firstStep(), kWidestStep * (high - low));
+  const double step = std::clamp(sigma, thresholds::kShortestPredictionStep * unknown.firstStep(),
+                                 thresholds::kLongestPredictionStep * (high - low));
   return x + step > high ? -step : step;
 }
 
@@ -46,11 +46,10 @@ Eigen::VectorXd residualsOf(const Case& coming, const std::vector<LogNoise>& noi
 
 /// Least of the robust cost of off + jacobian * x, plus x' information x.
 double leastCost(const Eigen::VectorXd& off, const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& information) {
-  constexpr int kRounds = 6;  // large residuals count less each time; it converges in three or four
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(off.size());
   Eigen::VectorXd left = off;
   double least = off.unaryExpr(&costOf).sum();
-  for (int round = 0; round < kRounds && jacobian.cols() > 0; ++round) {
+  for (int round = 0; round < thresholds::kPredictionReweightings && jacobian.cols() > 0; ++round) {
     const Eigen::MatrixXd weighted = weights.asDiagonal() * jacobian;
     const Eigen::MatrixXd normal = jacobian.transpose() * weighted + information;
     const Eigen::VectorXd x = -normal.ldlt().solve(weighted.transpose() * off);

@@ -7,13 +7,11 @@
 #include "gap/case/data_check.hpp"
 #include "gap/identify/effect_set.hpp"
 #include "gap/plan/messages.hpp"
+#include "gap/plan/thresholds.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kClose = 10;           // evidence: a rival that is worth an experiment
-constexpr std::size_t kMostRivals = 3;  // each costs simulations against every other
-constexpr double kMore = 0.3;           // of an effect that the baseline has already
 
 std::vector<std::string> idsFound(const Identification& identification) {
   std::vector<std::string> ids;
@@ -42,7 +40,7 @@ FittedHypothesis typically(const FittedHypothesis& present, const twin::EffectIn
   const bool there = with.hypothesis.find(effect.id) != nullptr;
   twin::EffectSetting& setting = with.hypothesis.with(effect);
   for (std::size_t i = 0; i < setting.values.size(); ++i)
-    setting.values[i] = there ? (1 + kMore) * setting.values[i] : effect.parameters[i].typical;
+    setting.values[i] = there ? (1 + thresholds::kMoreOfAnEffect) * setting.values[i] : effect.parameters[i].typical;
   return with;
 }
 
@@ -68,8 +66,8 @@ std::size_t widest(const FittedHypothesis& hypothesis) {
 Question questionAfter(const Case& given, const Identification& identification, const ProgressCallback& progress) {
   std::vector<std::vector<std::string>> sets{idsFound(identification)};
   for (const Rival& rival : identification.rivals)
-    if (rival.behind < kClose && sets.size() <= kMostRivals && !identification.effects.empty() &&
-        std::ranges::find(sets, rival.effects) == sets.end())
+    if (rival.behind < thresholds::kRivalEvidence && sets.size() <= thresholds::kMostPlannedRivals &&
+        !identification.effects.empty() && std::ranges::find(sets, rival.effects) == sets.end())
       sets.push_back(rival.effects);
   Question question{Aim::kSeparate, fitHypotheses(given, sets, progress), 0};
   if (question.hypotheses.size() > 1) return question;

@@ -10,11 +10,10 @@
 #include "gap/parallel/parallel.hpp"
 #include "gap/plan/commands.hpp"
 #include "gap/plan/prediction.hpp"
+#include "gap/plan/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kSure = 5;  // sigma: an effect that shows by more shows
 
 bool samePhase(const experiments::Phase& a, const experiments::Phase& b) {
   const experiments::Goal &p = a.goal, &q = b.goal;
@@ -60,7 +59,7 @@ double nearestOnes(const Question& question, const std::vector<Separation>& sepa
 
 double shownOnes(const std::vector<Separation>& separations) {
   double sum = 0;
-  for (const Separation& one : separations) sum += std::pow(std::min(one.sigma, kSure), 2) / 2;
+  for (const Separation& one : separations) sum += std::pow(std::min(one.sigma, thresholds::kCertainToShow), 2) / 2;
   return sum;
 }
 

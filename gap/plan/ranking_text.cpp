@@ -1,43 +1,37 @@
 // The ranking for people and for programs.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/text/formatted.hpp"
+#include "core/text/number_text.hpp"
 #include "gap/plan/ranking.hpp"
+#include "gap/plan/thresholds.hpp"
+#include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kNineInTen = 1.645;  // sigma on either side
-constexpr double kShows = 3;          // sigma: of an effect that shows
-constexpr double kUninformative = 1;  // sigma
 constexpr std::size_t kMostLines = 8;
 
-std::string printed(const char* format, double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 std::string inSigma(double sigma) {
-  constexpr double kMany = 100;  // beyond that the linear prediction has no meaning
-  if (sigma >= kMany) return "more than 100 sigma";
-  return printed(sigma < 10 ? "%.1f" : "%.0f", sigma) + " sigma";
+  if (sigma >= thresholds::kMostPrintedSigmas)
+    return "more than " + text::fixedText(thresholds::kMostPrintedSigmas, 0) + " sigma";
+  return text::fixedText(sigma, sigma < 10 ? 1 : 0) + " sigma";
 }
 
 std::string within(double seconds) {
-  return " in " + printed("%.0f", seconds) + " s";
+  return " in " + text::fixedText(seconds, 0) + " s";
 }
 
 /// "0.079 to 0.083 N m", nine in ten.
 std::string intervalOf(const FittedHypothesis& hypothesis, std::size_t i, double sigma) {
   const Unknown& unknown = hypothesis.unknowns[i];
   const double x = hypothesis.x[static_cast<Eigen::Index>(i)];
-  const double low = std::max(unknown.low, unknown.fromSearch(x - kNineInTen * sigma));
-  const double high = std::min(unknown.high, unknown.fromSearch(x + kNineInTen * sigma));
-  std::string text = printed("%.4g", low) + " to " + printed("%.4g", high);
+  const double low = std::max(unknown.low, unknown.fromSearch(x - thresholds::kInterval90 * sigma));
+  const double high = std::min(unknown.high, unknown.fromSearch(x + thresholds::kInterval90 * sigma));
+  std::string text = text::generalText(low, 4) + " to " + text::generalText(high, 4);
   const auto* const parameter = std::get_if<EffectParameter>(&unknown.what);
   if (parameter != nullptr && !parameter->info->parameters[parameter->index].unit.empty())
     text += " " + std::string{parameter->info->parameters[parameter->index].unit};
@@ -56,7 +50,7 @@ std::string revealsText(const Question& question, std::vector<Separation> separa
   std::ranges::stable_sort(separations, std::greater{}, &Separation::sigma);
   std::string text;
   for (const Separation& one : separations)
-    if (one.sigma >= kShows)
+    if (one.sigma >= thresholds::kListedAsShown)
       text += (text.empty() ? "would show " : ", ") + question.hypotheses[one.b].name + " by " + inSigma(one.sigma);
   return text.empty() ? "would show none of them" : text;
 }
@@ -101,8 +95,9 @@ std::string hypothesisText(const FittedHypothesis& hypothesis) {
 }
 
 bool isUninformative(const Question& question, const Ranked& ranked) {
-  return question.aim != Aim::kNarrow &&
-         std::ranges::all_of(ranked.separations, [](const Separation& one) { return one.sigma < kUninformative; });
+  return question.aim != Aim::kNarrow && std::ranges::all_of(ranked.separations, [](const Separation& one) {
+           return one.sigma < thresholds::kUninformative;
+         });
 }
 
 }  // namespace
@@ -130,8 +125,7 @@ std::string asText(const NextExperiments& next) {
     const experiments::Experiment& experiment = ranked.vetted.candidate.experiment;
     if (isUninformative(next.question, ranked)) nothing += (nothing.empty() ? "" : ", ") + experiment.name;
     if (isUninformative(next.question, ranked) || ++line > kMostLines) continue;
-    text += printed("%3.0f", static_cast<double>(line)) + ". " + sentenceOf(next.question, ranked) + "\n     " +
-            experiment.title;
+    text += text::formatted("%3zu. ", line) + sentenceOf(next.question, ranked) + "\n     " + experiment.title;
     if (!ranked.vetted.candidate.prepare.empty()) text += "; " + ranked.vetted.candidate.prepare;
     text += "\n";
     for (const std::string& cut : ranked.vetted.cuts) text += "     shortened: " + cut + "\n";

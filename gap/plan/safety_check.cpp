@@ -9,6 +9,7 @@
 #include "experiments/format/plan.hpp"
 #include "experiments/format/quantity.hpp"
 #include "gap/plan/commands.hpp"
+#include "gap/plan/thresholds.hpp"
 #include "gap/plants.hpp"
 
 namespace darwinop::gap {
@@ -17,10 +18,6 @@ namespace {
 using experiments::Phase;
 using experiments::Round;
 using experiments::shortText;
-
-constexpr double kOvershoot = 0.05;       // rad beyond the limits of goals: the stops are behind that
-constexpr double kShareOfOverload = 0.5;  // of the time after which the servo shuts itself off
-constexpr double kShortest = 1;           // s of a round that is worth the way there
 
 struct Danger {
   std::string sentence;
@@ -35,14 +32,15 @@ class Watch {
         name_{row(stand.joint).name},
         hangs_at_{stand.hangs_at_rad},
         full_{hypothesis.servo.overload_share * hypothesis.servo.duty_max},
-        longest_{kShareOfOverload * hypothesis.servo.overload_time_s} {}
+        longest_{thresholds::kAllowedOverloadShare * hypothesis.servo.overload_time_s} {}
 
   std::optional<Danger> look(const Stretch& stretch, const Trace& trace) {
     for (std::size_t i = 0; i < trace[kPositionSignal].size(); ++i) {
       const double t = stretch.begins_s + stretch.log.time_s[i];
       const double angle = trace[kPositionSignal][i] + hangs_at_, speed = std::abs(trace[kSpeedSignal][i]);
       if (!std::isfinite(angle)) return Danger{"the simulation breaks down", t};
-      if (angle < range_.low.value - kOvershoot || angle > range_.high.value + kOvershoot)
+      if (angle < range_.low.value - thresholds::kAllowedOvershoot ||
+          angle > range_.high.value + thresholds::kAllowedOvershoot)
         return Danger{name_ + " would get to " + shortText(angle) + " rad; its limits are " +
                           shortText(range_.low.value) + " to " + shortText(range_.high.value) + " rad",
                       t};
@@ -53,7 +51,8 @@ class Watch {
       full_s_ = std::abs(trace[kLoadSignal][i]) >= full_ ? full_s_ + kPlannedRow : 0;
       if (full_s_ > longest_)
         return Danger{"the servo would run at full duty for more than " + shortText(longest_) +
-                          " s; it shuts itself off after " + shortText(longest_ / kShareOfOverload) + " s",
+                          " s; it shuts itself off after " + shortText(longest_ / thresholds::kAllowedOverloadShare) +
+                          " s",
                       t, true};
     }
     return std::nullopt;
@@ -93,7 +92,7 @@ bool endAt(Round& round, double at_s) {
     using experiments::Shape;
     const bool other =
         phase.goal.shape == Shape::kMove || phase.goal.shape == Shape::kRamp || phase.goal.shape == Shape::kChirp;
-    if (other || at_s < kShortest) return false;
+    if (other || at_s < thresholds::kShortestRound) return false;
     phase.duration_s = std::floor((at_s - begins) * 10) / 10;
     round.phases.resize(phase.duration_s > 0 ? i + 1 : i);
     return !round.phases.empty();
@@ -108,9 +107,8 @@ std::string called(const Round& round) {
 /// Changes the round until nothing is wrong with it. Empty: it may stay.
 std::string tame(const ExperimentCandidate& candidate, Round& round, const ArmSetup& stand, const Case& given,
                  const std::vector<Hypothesis>& hypotheses, std::vector<std::string>& cuts) {
-  constexpr int kTries = 3;
   std::string why;
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < thresholds::kSafetyAttempts; ++i) {
     const std::optional<Danger> danger = dangerOf(candidate, round, stand, given, hypotheses);
     if (!danger) return {};
     why = danger->sentence;

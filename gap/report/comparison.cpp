@@ -8,6 +8,7 @@
 #include "gap/fit/noise.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plants.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -58,7 +59,7 @@ Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis
                   .rows = static_cast<double>(log.rows())};
   one.gap = squares.rms();
   one.noise_share = shareOf(noise, log, trace);
-  one.below_floor = one.gap.after_rad < one.gap.floor_rad && one.noise_share < kBelowFloor;
+  one.below_floor = one.gap.after_rad < one.gap.floor_rad && one.noise_share < thresholds::kBelowFloorShare;
   return squares;
 }
 

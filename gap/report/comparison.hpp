@@ -33,9 +33,6 @@ struct Comparison {
   [[nodiscard]] bool anyBelowFloor(const Case& given, bool of_held_out) const;
 };
 
-/// Less than this share of the noise: the noise is less than assumed, or the log is not independent of the model.
-inline constexpr double kBelowFloor = 0.7;
-
 /// The noise is that of `after`. Deterministic.
 Comparison compare(const Case& given, const Hypothesis& before, const Hypothesis& after);
 

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 
 #include "core/text/joined.hpp"
+#include "core/text/number_text.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
+#include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr std::size_t kRivalsNamed = 2;
-constexpr double kNoChange = 0.02;  // share of a gap: less counts as unchanged
 
 std::string titlesOf(const std::vector<IdentifiedEffect>& found) {
   std::vector<std::string> titles;
@@ -38,9 +38,8 @@ std::string firstNumber(const Identification& identification) {
 std::string placeOf(const Outcome& outcome) {
   if (outcome.localization.places.empty()) return "";
   const GapInterval& place = outcome.localization.places.front();
-  char text[80];
-  std::snprintf(text, sizeof text, "; it shows most between %.1f and %.1f s of ", place.t0_s, place.t1_s);
-  return text + place.file;
+  return "; it shows most between " + text::fixedText(place.t0_s, 1) + " and " + text::fixedText(place.t1_s, 1) +
+         " s of " + place.file;
 }
 
 std::string namedByRivals(const Identification& identification) {
@@ -93,9 +92,7 @@ double mradOf(double rad) {
 std::string inMrad(double rad) {
   if (!std::isfinite(rad)) return "-";
   const double mrad = mradOf(rad);
-  char text[32];
-  std::snprintf(text, sizeof text, mrad < 9.995 ? "%.2f" : mrad < 99.95 ? "%.1f" : "%.0f", mrad);
-  return text;
+  return text::fixedText(mrad, mrad < 9.995 ? 2 : mrad < 99.95 ? 1 : 0);
 }
 
 std::vector<Rival> closeRivals(const Identification& identification) {
@@ -148,7 +145,7 @@ std::string helpSentence(const Comparison& comparison) {
   const std::string before = inMrad(gap.before_rad) + " mrad", after = inMrad(gap.after_rad) + " mrad";
   const std::string on = "On held-out logs the position error ";
   const double change = (gap.after_rad - gap.before_rad) / gap.before_rad;
-  if (std::abs(change) < kNoChange) return on + "is " + after + "; " + noise;
+  if (std::abs(change) < thresholds::kUnchangedGapShare) return on + "is " + after + "; " + noise;
   if (change > 0)
     return on + "grows from " + before + " to " + after + ": " + std::string{messages::kWorse} + "; " + noise;
   return on + "falls from " + before + " to " + after + "; " + noise;

@@ -7,13 +7,15 @@
 #include "gap/plant/bench/firmware_run.hpp"
 #include "gap/plant/registers.hpp"
 #include "gap/plant/row_state.hpp"
+#include "gap/plant/trace.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr double kUnknownSample = std::numeric_limits<double>::quiet_NaN();
-const double kOfAStep = std::sqrt(1.0 / 12);  // standard deviation of rounding to steps of 1
-constexpr double kRipple = 0.03;              // V; of the supply, as every Disturbance
+const double kOfAStep = std::sqrt(1.0 / 12);        // standard deviation of rounding to steps of 1
+constexpr double kRipple = Disturbance{}.supply_v;  // V
 
 BlockResiduals samplesOf(const Trajectory& log) {
   const auto n = static_cast<Eigen::Index>(log.rows());
@@ -92,7 +94,6 @@ BlockResiduals sensorResiduals(const Trajectory& log, const Hypothesis& hypothes
   BlockResiduals out = samplesOf(log);
   // Begin and end, each read twice: by the servo for its speed, and by the host.
   const double reading = readingSigma(hypothesis.servo) * 2 / kSpeedSpan;
-  constexpr double kLag = 0.012, kScale = 0.05;  // how far the makers of servos differ: filters, units
   for (std::size_t row = 2; row + 1 < log.rows(); ++row) {
     if (log.time_s[row] - log.time_s[0] < kSpeedSpan) continue;
     const auto i = static_cast<Eigen::Index>(row);
@@ -100,8 +101,9 @@ BlockResiduals sensorResiduals(const Trajectory& log, const Hypothesis& hypothes
     out.residual[i] = log.speed_rad_s[row] - moved / kSpeedSpan;
     const double before = stateAt(log, row - 1).speed_rad_s, after = stateAt(log, row + 1).speed_rad_s;
     const double accel = (after - before) / (log.time_s[row + 1] - log.time_s[row - 1]);
-    out.sigma[i] = std::sqrt(reading * reading + kSpeedStep * kSpeedStep / 12 + std::pow(accel * kLag, 2) +
-                             std::pow(kScale * moved / kSpeedSpan, 2));
+    out.sigma[i] =
+        std::sqrt(reading * reading + kSpeedStep * kSpeedStep / 12 + std::pow(accel * thresholds::kSpeedLag, 2) +
+                  std::pow(thresholds::kSpeedScale * moved / kSpeedSpan, 2));
   }
   return out;
 }

@@ -10,14 +10,12 @@
 
 #include "core/conversions.hpp"
 #include "gap/plant/bench/surroundings.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr double kExactTicks = 1 << 26;  // a revolution: far below anything that shows
-// A firmware of 0.1 ms costs ten times one of 1 ms, and hardly differs from one of 0.5 ms that looks ahead.
-constexpr double kLongestFold = 5e-4;  // s
-constexpr double kLoadJump = 0.05;     // in a folded period: no motion changes a duty as fast
 
 /// One log on one hypothesis.
 class Run {
@@ -86,7 +84,7 @@ class Run {
     if (hypothesis.has(twin::StepDemand::kEveryPeriod)) return 1;
     constexpr double kRounding = 1e-3;  // of a period; times in a log are rounded decimals
     const double period_s = hypothesis.servo.firmware_period_s;
-    int most = static_cast<int>(kLongestFold / period_s + kRounding);
+    int most = static_cast<int>(thresholds::kLongestFold / period_s + kRounding);
     const auto fits = [&](int periods) {
       return std::ranges::all_of(log.time_s, [&](double time_s) {
         const double count = (time_s - log.time_s[0]) / (periods * period_s);
@@ -112,7 +110,7 @@ class Run {
   [[nodiscard]] double loadNow() const {
     const double load = bench_.servo().report().load, most = bench_.servo().signals().duty_limit;
     const bool jumped =
-        std::abs(load - load_before_) > kLoadJump;  // a goal that came late, a torque that came on
+        std::abs(load - load_before_) > thresholds::kFoldedLoadJump;  // a goal that came late, a torque that came on
     return jumped ? load : std::clamp(load + (load - load_before_) * aheadS() / period_s_, -most, most);
   }
 

@@ -12,11 +12,10 @@
 #include "gap/plant/bench/surroundings.hpp"
 #include "gap/plant/registers.hpp"
 #include "gap/plant/row_state.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kMargin = 0.04;  // s; from the ends of the log: a speed needs rows on both sides
 
 const twin::EffectInfo kGivenDrive =
     internalEffect("given_drive", "what was measured drives the motor", twin::LoopPart::kController);
@@ -152,7 +151,7 @@ BlockResiduals shootingResiduals(const Case& given, const Trajectory& log, const
   Shooter shooter{given, log, hypothesis, options};
   std::vector<double> residuals;
   BlockResiduals out;
-  double next_s = log.time_s.front() + kMargin;
+  double next_s = log.time_s.front() + thresholds::kStateHalfWindow;
   for (std::size_t from = 0, to = 0; from < log.rows(); ++from) {
     if (log.time_s[from] < next_s) continue;
     next_s = log.time_s[from] + std::min(options.stride_s, options.length_s);
