@@ -67,7 +67,7 @@ const EffectInfo kSupplySag{{
     .aliases = {},
     .step_demand = StepDemand::kNone,
     .synthetic = {.pair_rank = 16},
-    .exports = inAllFormats(lost("it knows no supply")),
+    .exports = inAllFormats(lost("it has no supply voltage")),
     .other_names = kOtherNames,
     .make = makeEffect<SupplySag>,
 }};

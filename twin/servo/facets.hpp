@@ -9,7 +9,7 @@
 
 namespace darwinop::twin {
 
-/// What a parameter is, where other code reads it without knowing the effect. Most parameters have none.
+/// What a parameter is, where other code reads it, whatever the effect. Most parameters have none.
 enum class ParameterRole : std::uint8_t {
   kNone,
   kGoalDelay,         // s
@@ -134,7 +134,7 @@ inline constexpr std::string_view kInTheBody = "in the body: mass and centre of 
 inline constexpr std::string_view kInTheLink = "inertia of the link, which then also resists other joints";
 inline constexpr std::string_view kNoController =
     "the format has no controller; set it in the program that reads the file";
-inline constexpr std::string_view kNoFrictionOfLoad = "its dry friction does not know the load";
+inline constexpr std::string_view kNoFrictionOfLoad = "its dry friction does not depend on the load";
 inline constexpr std::string_view kSpeedMotor = "its P sets a speed, so a loaded joint always arrives";
 }  // namespace exports
 
