@@ -24,6 +24,7 @@ inline constexpr const char* kNotStarted = " not started: ";  // after the contr
 
 // supervisor.cpp, supervisor_runtime.cpp
 inline constexpr const char* kRuntimeReady = "runtime: ready";
+inline constexpr const char* kRescues = "; bringing the robot to rest: ";                       // then the steps
 inline constexpr const char* kCannotReachRobot = "rescue: cannot reach the robot, retrying: ";  // then the reason
 inline constexpr const char* kRescued = "rescue: the robot is at rest, torque is off";
 inline constexpr const char* kEnded = "ended";  // then the next one, or "; " and runtime::messages::kUnderTorque

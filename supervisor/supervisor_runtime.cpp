@@ -102,7 +102,7 @@ void Supervisor::noteRobot(const runtime::JointSet& under_torque) {
 }
 
 void Supervisor::rescue(const std::string& why) {
-  onEvent(PhaseEvent::kLost, why + "; bringing the robot to rest: hold, slow crouch, torque off");
+  onEvent(PhaseEvent::kLost, why + messages::kRescues + "hold, slow crouch, torque off");
   kill_at_ = Nanos{0};
   runtime_->process().signal(SIGKILL);
   controller_.runtimeLost(now_);

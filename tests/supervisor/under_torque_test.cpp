@@ -14,6 +14,7 @@ namespace darwinop::supervisor {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 std::string underTorque(const std::string& joints) {
   return runtime::messages::kUnderTorque + joints + "\n";
@@ -60,6 +61,7 @@ TEST_F(UnderTorque, AServoThatIgnoresTorqueOffIsNamedByStopAndSupervisor) {
   startUnderASupervisor("", {"--servo", "Neck=keeps-torque"});
   expectStopFailsFor("Neck");
   EXPECT_EQ(registers().stiff, 1);
+  EXPECT_THAT(supervisor_->output(), Not(HasSubstr(messages::kRescues))) << "the runtime did all that can be done";
 }
 
 TEST_F(UnderTorque, AServoThatIgnoresTorqueOffIsNamedByTheRuntime) {
@@ -123,7 +125,12 @@ TEST_F(UnderTorque, AStopFailsIfTheSupervisorCannotRecordThatTheRobotIsAtRest) {
   // Long enough that the record's temporary file has no valid name, and the shared files of the runtime have.
   const std::string name = file(std::string(255 - std::strlen(".commands.XXXXXX"), 'x'));
   setenv("DARWINOP_RUNTIME_NAME", name.c_str(), 1);
-  ASSERT_FALSE(writeStatus(Status{}, SupervisorFiles{runtime::RuntimeFiles{}}.status));
+  const std::string record = SupervisorFiles{runtime::RuntimeFiles{}}.status;
+  ASSERT_FALSE(writeStatus(Status{}, record));
+  Status earlier;
+  earlier.at_rest = true;
+  ASSERT_TRUE(writeStatus(earlier, file("earlier")));
+  std::filesystem::rename(file("earlier"), record);
   startVirtualRobot();
   startSupervisor();  // without a default controller
   ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
