@@ -27,9 +27,9 @@ constexpr auto kServoKeys = std::to_array<ServoKey>({
 
 // Ranges: what a servo of this size can swing.
 constexpr auto kArmKeys = std::to_array<ArmKey>({
-    {"arm_mass_kg", "arm_mass", &twin::Pendulum::arm_mass_kg, {"kg", 0, 20}},
-    {"length_m", "length", &twin::Pendulum::length_m, {"m", 0.005, 2}},
-    {"payload_kg", "payload", nullptr, {"kg", 0, 20}},
+    {"arm_mass_kg", "arm_mass", &twin::Pendulum::arm_mass_kg, &Trajectory::arm_mass_kg, {"kg", 0, 20}},
+    {"length_m", "length", &twin::Pendulum::length_m, &Trajectory::length_m, {"m", 0.005, 2}},
+    {"payload_kg", "payload", nullptr, nullptr, {"kg", 0, 20}},
 });
 
 }  // namespace

@@ -29,11 +29,12 @@ struct FrictionKey {
 /// Of the effects that a baseline may have, in the order of the catalogue.
 std::vector<FrictionKey> frictionKeys();
 
-/// What swings. `member` of a log's payload is null.
+/// What swings. `member` of a log's payload is null; `of_log` is what a log may have of its own instead of `member`.
 struct ArmKey {
   std::string_view json;   // "length_m"
   std::string_view prior;  // "length"
   double twin::Pendulum::*member;
+  std::optional<double> Trajectory::*of_log;
   twin::NumberRule rule;
 };
 std::span<const ArmKey> armKeys();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "twin/bench/bench.hpp"
@@ -18,6 +19,14 @@ namespace darwinop::gap {
 /// before it.
 enum class GoalOrder : std::uint8_t { kAfterRead, kBeforeRead };
 
+/// Readings of one column that no servo can have made; they are NaN in the log.
+struct MaskedReadings {
+  std::string_view column;  // "pos"
+  std::string_view why;     // "jump and come back"
+  std::size_t rows = 0;
+  std::uint32_t first_line = 0;  // of the file
+};
+
 /// One log. All columns have a value a row.
 struct Trajectory {
   std::string file;                      // as the case names it: "fit_1.csv"
@@ -27,16 +36,18 @@ struct Trajectory {
 
   double p_register = 32;  // register 28
   double payload_kg = 0;
-  double session_start_s = 0;    // of the first row within the session
-  double speed_limit_rad_s = 0;  // of the servo's own profile, register 32; 0: none
+  std::optional<double> arm_mass_kg, length_m, supply_v;  // of this log's bench; none: those of the case
+  double session_start_s = 0;                             // of the first row within the session
+  double speed_limit_rad_s = 0;                           // of the servo's own profile, register 32; 0: none
 
   std::vector<double> time_s;  // rises
   std::vector<double> goal_rad;
-  std::vector<double> position_rad;
+  std::vector<double> position_rad;  // NaN: masked, or not read
   std::vector<std::uint8_t> torque_on;
   std::vector<double> speed_rad_s, load, volt_v, temp_c;  // load: -1 to 1. NaN where the log has none
   std::vector<double> warmth_c;      // temp_c without the steps of its register; empty: not smoothed
   std::vector<std::uint32_t> lines;  // of the file, for messages
+  std::vector<MaskedReadings> masked;
 
   [[nodiscard]] std::size_t rows() const { return time_s.size(); }
   [[nodiscard]] double duration_s() const { return time_s.empty() ? 0 : time_s.back() - time_s.front(); }
@@ -66,6 +77,11 @@ struct Case {
   std::vector<Trajectory> logs;
   std::vector<std::string> warnings;  // sentences about data that are unusual but usable
 };
+
+/// Arm of a log's bench, with its payload.
+twin::Pendulum armOf(const Case& c, const Trajectory& log);
+/// Nominal supply of a log's bench, V.
+double supplyOf(const Case& c, const Trajectory& log);
 
 /// The data or the case cannot be used; the text names file and line.
 struct BadInput : std::runtime_error {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/case/bad_rows.hpp"
 #include "gap/case/excitation.hpp"
 #include "gap/case/plausible.hpp"
 #include "gap/case/reveals.hpp"
@@ -73,6 +74,7 @@ DataCheck checkData(const Case& c) {
     lookAtTime(log, check);
     check.excitation = excitationOf(log, c.model.servo);
     warn(check, out.warnings);
+    for (const MaskedReadings& masked : log.masked) out.masked.push_back(asSentence(log, masked));
     if (!copies[i]) (log.held_out ? out.held_out : out.fit).add(check.excitation);
     if (log.repeat_of && !copies[i]) out.has_repeats = true;
     out.logs.push_back(std::move(check));

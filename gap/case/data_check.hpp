@@ -64,6 +64,7 @@ struct DataCheck {
   Excitation held_out;  // all held-out logs
   bool has_repeats = false;
   std::vector<DataFinding> findings;  // what cannot be seen first
+  std::vector<std::string> masked;    // sentences on readings that count nowhere, by log and column
   std::vector<std::string> warnings;
 };
 

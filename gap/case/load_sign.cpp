@@ -26,7 +26,7 @@ void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c
     if (log.torque_on[row] == 0 || !(std::abs(log.load[row]) > kPlain)) continue;
     // The goal that was in force at this row's read is that of the row before.
     const double duty = servo.duty_per_kp_per_rad * log.p_register * (log.goal_rad[row - 1] - log.position_rad[row]);
-    if (std::abs(duty) < kPlain) continue;
+    if (!(std::abs(duty) >= kPlain)) continue;
     ++plain;
     if (std::abs(log.load[row] + std::clamp(duty, -1.0, 1.0)) < kAlike * std::abs(duty)) ++mirrored;
   }

@@ -6,6 +6,7 @@
 #include "gap/case/baseline_keys.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
+#include "twin/model/keys.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -49,7 +50,11 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   out.head.kind = entry.text("trajectory", kindOf(out.head.file));
   out.head.held_out = entry.word("role", {"fit", "held_out", "score"}, 3) > 0;
   for (const ArmKey& key : armKeys())
-    if (key.member == nullptr) out.head.payload_kg = entry.number(key.json, key.rule);
+    if (key.member == nullptr)
+      out.head.payload_kg = entry.number(key.json, key.rule);
+    else if (entry.has(key.json))
+      out.head.*key.of_log = entry.number(key.json, key.rule);
+  if (entry.has("supply_V")) out.head.supply_v = entry.number("supply_V", twin::findKey("servo", "supply")->number);
   if (entry.has("kp")) out.p_register = entry.number("kp", kRegister);
   if (entry.has("t0_session_s")) out.session_start_s = entry.number("t0_session_s", kSession);
   out.head.speed_limit_rad_s = entry.number("speed_limit_rad_s", kProfileSpeed, 0);

@@ -15,7 +15,7 @@ inline constexpr const char* kNoPRegister = "the case does not have its P regist
 inline constexpr const char* kNotJson = "this is not JSON";
 inline constexpr const char* kNotJsonObject = "not a JSON object";
 inline constexpr const char* kOtherDatasheetVoltage = "is of another voltage than ";
-inline constexpr const char* kOtherGainOrPayload = "which has another kp or payload";
+inline constexpr const char* kOtherGainOrPayload = "which has another kp, payload, arm or supply";
 inline constexpr const char* kOtherJoint = "is another one than that of `logs[0]`";
 inline constexpr const char* kRepeatOfItself = "names the log itself";
 inline constexpr const char* kRepeatOfNothing = "names no log of this case";
@@ -27,9 +27,16 @@ inline constexpr const char* kUnknownParameter = "is not a parameter of an effec
 // logs
 inline constexpr const char* kJointNotGiven = "a recording has twenty joints; give the joint of the log";
 inline constexpr const char* kLoadHasOppositeSign = ", but the opposite sign, in ";
+inline constexpr const char* kMaskedHeat = "no servo warms or cools so fast";
+inline constexpr const char* kMaskedJump = "they jump and come back faster than servo and arm can";
+inline constexpr const char* kMaskedMissing = "they are empty";
+inline constexpr const char* kMaskedRange = "they are outside the range of a servo";
+inline constexpr const char* kMaskedStale = "registers are those of the row before, though the joint moves on";
+inline constexpr const char* kMaskedSupply = "no current brings the supply there";
 inline constexpr const char* kNotRegular = "it is not a regular file";
 inline constexpr const char* kOneInDegrees = "; one is in degrees, so name the column ";
 inline constexpr const char* kOutsideServoRange = ", outside the range of a servo (";
+inline constexpr const char* kRawCounts = "are these raw counts?";
 inline constexpr const char* kStuckDespiteLoad = "though the servo pushes hard both ways";
 inline constexpr const char* kStuckDespiteSpeed = "though the joint moves according to speed";
 inline constexpr const char* kStuckLikeLoad = "and so does load, though the goals require torque both ways";
@@ -37,6 +44,7 @@ inline constexpr const char* kTooFastForServo = " rad/s, and this servo without 
 
 // the data check
 inline constexpr const char* kCanReveal = "These data can reveal:";
+inline constexpr const char* kMaskedReadings = "Masked readings, which count nowhere:";
 inline constexpr const char* kCannotReveal = "These data cannot reveal:";
 
 }  // namespace darwinop::gap::messages

@@ -20,8 +20,16 @@ void addFriction(const FrictionKey& key, double value, twin::Model& model) {
 }
 
 void readArm(Fields& from, Case& into) {
-  for (const ArmKey& key : armKeys())
-    if (key.member != nullptr) into.pendulum.*key.member = from.number(key.json, key.rule);
+  for (const ArmKey& key : armKeys()) {
+    if (key.member == nullptr) continue;
+    const bool of_logs = !into.logs.empty() && std::ranges::all_of(into.logs, [&](const Trajectory& log) {
+      return (log.*key.of_log).has_value();
+    });
+    if (of_logs && !from.has(key.json))
+      into.pendulum.*key.member = *(into.logs.front().*key.of_log);
+    else
+      into.pendulum.*key.member = from.number(key.json, key.rule);
+  }
 }
 
 /// `baseline`: returns the names of the numbers that it has.

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "experiments/logs/read_log.hpp"
+#include "gap/case/bad_rows.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 #include "gap/case/plausible.hpp"
@@ -98,7 +99,9 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
     top.leave(key);
   std::vector<LogEntry> entries = readEntries(top, out.warnings);
   linkRepeats(top, entries);
+  for (const LogEntry& entry : entries) out.logs.push_back(entry.head);
   readModelPart(top, files, entries.front().joint, out);
+  out.logs.clear();
   top.finish(out.warnings);
 
   for (LogEntry& entry : entries) {
@@ -107,6 +110,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
     out.warnings.insert(out.warnings.end(), log.warnings.begin(), log.warnings.end());
     fillTrajectory(log, entry, out.warnings);
     checkRows(entry.head, log.file);
+    maskBadRows(entry.head, log.file, out);
     checkUnits(entry.head, log.file, out);
     checkSensor(entry.head, log.file, out);
     checkLoadSign(entry.head, log.file, out);

@@ -12,7 +12,7 @@
 namespace darwinop::gap {
 
 /// `baseline`, or `model` and `arm`; `servo_datasheet`; `prior_rel_sigma`. `joint`: whose effects count when the model
-/// file has some for single joints.
+/// file has some for single joints. `into` has the logs' entries: arm numbers that all of them have may be left out.
 void readModelPart(Fields& top, const CaseFiles& files, std::optional<Joint> joint, Case& into);
 
 /// What a sheet does not say is as in the baseline.

@@ -1,8 +1,7 @@
-// Values out of their physical range, and time that does not go on evenly.
+// Goals out of their physical range, and time that does not go on evenly.
 #include "gap/case/plausible.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/units.hpp"
@@ -11,26 +10,6 @@
 
 namespace darwinop::gap {
 namespace {
-
-struct Range {
-  std::vector<double> Trajectory::*values;
-  std::string_view column, unit;
-  double low, high, shown;  // shown: factor to what the file has
-  std::string_view advice;
-};
-constexpr double kTurns = 4 * kPi;
-// Loads end at 100 %; some servos report a count more.
-const std::array kRanges{
-    Range{&Trajectory::goal_rad, "goal", "rad", -kTurns, kTurns, 1, "are these degrees? name the column goal_deg then"},
-    Range{&Trajectory::position_rad, "pos", "rad", -kTurns, kTurns, 1,
-          "are these degrees? name the column pos_deg then"},
-    Range{&Trajectory::speed_rad_s, "speed", "rad/s", -100, 100, 1,
-          "are these rpm or degrees? name the column speed_rpm or speed_deg_s then"},
-    Range{&Trajectory::load, "load", "%", -1.01, 1.01, 100,
-          "it is the share of the greatest duty; are these raw counts?"},
-    Range{&Trajectory::volt_v, "volt", "V", 3, 30, 1, "are these raw counts of 0.1 V?"},
-    Range{&Trajectory::temp_c, "temp", "degC", -20, 100, 1, "is this degree Celsius?"},
-};
 
 constexpr double kShortest = 2;         // s
 constexpr double kLongestPeriod = 0.1;  // s
@@ -43,6 +22,20 @@ std::string number(double value) {
 
 std::string at(const std::string& file, const Trajectory& log, std::size_t row) {
   return file + ", line " + std::to_string(log.lines[row]) + ": ";
+}
+
+/// A goal is a command, not a reading: a wrong one moved the joint, or is not what was sent.
+void refuseWildGoals(const Trajectory& log, const std::string& file) {
+  constexpr double kTurns = 4 * kPi;
+  const auto beyond = [](double goal) { return std::abs(goal) > kTurns; };
+  const auto first = std::ranges::find_if(log.goal_rad, beyond);
+  if (first == log.goal_rad.end()) return;
+  const bool degrees =
+      std::ranges::all_of(log.goal_rad, [](double goal) { return std::abs(goal) <= kTurns * 180 / kPi; });
+  const auto row = static_cast<std::size_t>(first - log.goal_rad.begin());
+  throw BadInput(at(file, log, row) + "goal is " + number(*first) + " rad" + messages::kOutsideServoRange +
+                 number(-kTurns) + " to " + number(kTurns) + "); " +
+                 (degrees ? "are these degrees? name the column goal_deg then" : "correct the log"));
 }
 
 void checkTime(const Trajectory& log, const std::string& file) {
@@ -65,14 +58,7 @@ void checkTime(const Trajectory& log, const std::string& file) {
 
 void checkRows(const Trajectory& log, const std::string& file) {
   if (log.rows() < 2) throw BadInput(file + ": no rows; was anything measured?");
-  for (const Range& range : kRanges) {
-    const std::vector<double>& values = log.*range.values;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] < range.low || values[i] > range.high)
-        throw BadInput(at(file, log, i) + std::string{range.column} + " is " + number(values[i] * range.shown) + " " +
-                       std::string{range.unit} + messages::kOutsideServoRange + number(range.low * range.shown) +
-                       " to " + number(range.high * range.shown) + "); " + std::string{range.advice});
-  }
+  refuseWildGoals(log, file);
   checkTime(log, file);
 }
 

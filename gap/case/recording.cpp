@@ -8,13 +8,12 @@
 #include <limits>
 
 #include "core/registers.hpp"
+#include "gap/case/bad_rows.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kMostUnanswered = 0.1;  // of the rows: more without an answer are refused
 
 struct JointColumns {
   const std::vector<double>&goal, &position, &speed, &load, &volt, &temperature, &p_gain, &speed_limit;
@@ -76,7 +75,7 @@ std::vector<std::size_t> rowsOf(const logs::Log& log, const LogEntry& entry, con
   const double share = double(without) / double(rows.size() + without);
   const std::string sentence = log.file + ": the servo did not answer in " + std::to_string(without) + " of " +
                                std::to_string(rows.size() + without) + " rows";
-  if (share > kMostUnanswered) throw BadInput(sentence + "; check its cable and measure again");
+  if (share > kMostMasked) throw BadInput(sentence + "; check its cable and measure again");
   if (without > 0) warnings.push_back(sentence + ", which are left out");
   return rows;
 }

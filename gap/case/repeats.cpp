@@ -24,10 +24,17 @@ double goalsApart(const Trajectory& a, const Trajectory& b) {
   return std::sqrt(sum / n / std::max(spread, 1e-6));
 }
 
+/// Masked ones are equal.
+bool samePositions(const Trajectory& a, const Trajectory& b) {
+  return std::ranges::equal(a.position_rad, b.position_rad,
+                            [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
 bool isCopy(const Trajectory& a, const Trajectory& b) {
-  if (a.position_rad != b.position_rad || a.goal_rad != b.goal_rad) return false;
+  if (!samePositions(a, b) || a.goal_rad != b.goal_rad) return false;
   // A joint that stands still looks the same each time.
-  return std::ranges::adjacent_find(a.position_rad, std::not_equal_to{}) != a.position_rad.end();
+  const auto moves = [](double before, double after) { return before < after || before > after; };
+  return std::ranges::adjacent_find(a.position_rad, moves) != a.position_rad.end();
 }
 
 }  // namespace
@@ -47,7 +54,9 @@ void checkRepeats(Case& c) {
     if (!log.repeat_of) continue;
     const Trajectory& first = c.logs[*log.repeat_of];
     const std::string place = file + ": `logs[" + std::to_string(i) + "].repeat_of` ";
-    if (log.p_register != first.p_register || log.payload_kg != first.payload_kg)
+    const bool same_bench = log.payload_kg == first.payload_kg && log.length_m == first.length_m &&
+                            log.arm_mass_kg == first.arm_mass_kg && log.supply_v == first.supply_v;
+    if (log.p_register != first.p_register || !same_bench)
       throw BadInput(place + "names " + first.file + ", " + messages::kOtherGainOrPayload + "; a repeat has the same");
     if (goalsApart(log, first) > kSameGoals)
       throw BadInput(place + "names " + first.file + ", which has other goals; a repeat has the same");

@@ -72,7 +72,7 @@ void take(const logs::Log& log, const Wanted& wanted, const std::vector<std::siz
   const double factor = factorOf(log, *column, wanted);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double value = column->values[rows[i]];
-    if (std::isinf(value) || (wanted.needed && std::isnan(value)))
+    if (std::isinf(value) || (wanted.needed && std::isnan(value) && wanted.into != &Trajectory::position_rad))
       throw BadInput(log.file + ", line " + std::to_string(log.lines[rows[i]]) + ": " + column->name +
                      (std::isnan(value) ? " is empty; leave the row out where it was not measured"
                                         : " is infinite; leave the row out"));

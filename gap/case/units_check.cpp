@@ -32,7 +32,8 @@ std::size_t before(const Trajectory& log, std::size_t row, std::size_t from) {
 }
 
 void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
-  const double fall = 2 * std::sqrt(c.pendulum.gravity_m_s2 / c.pendulum.length_m);
+  const twin::Pendulum arm = armOf(c, log);
+  const double fall = 2 * std::sqrt(arm.gravity_m_s2 / arm.length_m);
   const double most = std::max(kTooFast * noLoadSpeed(c), kFallShare * fall);
   std::size_t from = 0;
   double reported = 0, moved = 0;
@@ -46,9 +47,9 @@ void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
     if (std::abs(speed) > most)
       throw BadInput(file + ", line " + std::to_string(log.lines[row]) + ": pos moves at " + three(std::abs(speed)) +
                      messages::kTooFastForServo + three(noLoadSpeed(c)) +
-                     "; if these are degrees, name the column pos_deg. A single jump is a wrong reading: cut "
-                     "the log there");
-    if (std::isnan(log.speed_rad_s[row])) continue;
+                     "; if these are degrees, name the column pos_deg. many jumps are wrong readings: "
+                     "check the cable and measure again");
+    if (std::isnan(log.speed_rad_s[row]) || std::isnan(speed)) continue;
     reported += log.speed_rad_s[row] * log.speed_rad_s[row];
     moved += speed * speed;
   }
@@ -60,22 +61,24 @@ void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
                    "the column speed_rpm or speed_deg_s, or leave it out");
 }
 
-/// Share of the rows whose position is a whole number of steps from the first.
-double onGrid(const Trajectory& log, double step_rad) {
+/// Share of the positions that are a whole number of steps from the first.
+double onGrid(const std::vector<double>& positions, double step_rad) {
   std::size_t on = 0;
-  for (const double position : log.position_rad) {
-    const double steps = (position - log.position_rad.front()) / step_rad;
+  for (const double position : positions) {
+    const double steps = (position - positions.front()) / step_rad;
     if (std::abs(steps - std::nearbyint(steps)) <= kOnGrid) ++on;
   }
-  return double(on) / double(log.rows());
+  return double(on) / double(positions.size());
 }
 
 void checkGrid(const Trajectory& log, const std::string& file, Case& c) {
-  const std::set<double> values{log.position_rad.begin(), log.position_rad.end()};
+  std::vector<double> known = log.position_rad;
+  std::erase_if(known, [](double position) { return std::isnan(position); });
+  const std::set<double> values{known.begin(), known.end()};
   if (values.size() < kGridValues) return;
   const double tick = 2 * kPi / c.model.servo.ticks_per_rev;
-  if (onGrid(log, tick) >= kGridShare) return;
-  if (onGrid(log, 360 / c.model.servo.ticks_per_rev) >= kGridShare)
+  if (onGrid(known, tick) >= kGridShare) return;
+  if (onGrid(known, 360 / c.model.servo.ticks_per_rev) >= kGridShare)
     throw BadInput(file + ": pos goes in steps of " + three(360 / c.model.servo.ticks_per_rev) +
                    ", which are the encoder's in degrees; name the column pos_deg, and goal_deg likewise");
   if (c.quantised)
@@ -87,7 +90,7 @@ void checkGrid(const Trajectory& log, const std::string& file, Case& c) {
 void checkGoals(const Trajectory& log, const std::string& file) {
   double n = 0, g = 0, p = 0, gg = 0, pp = 0, gp = 0;
   for (std::size_t i = 0; i < log.rows(); ++i) {
-    if (log.torque_on[i] == 0) continue;
+    if (log.torque_on[i] == 0 || std::isnan(log.position_rad[i])) continue;
     const double goal = log.goal_rad[i], position = log.position_rad[i];
     n += 1, g += goal, p += position, gg += goal * goal, pp += position * position, gp += goal * position;
   }

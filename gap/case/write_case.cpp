@@ -107,6 +107,9 @@ Json logsOf(const Case& c) {
                   {"payload_kg", log.payload_kg},
                   {"t0_session_s", log.session_start_s},
                   {"repeat_of", log.repeat_of ? Json(c.logs[*log.repeat_of].file) : Json(nullptr)}};
+    for (const ArmKey& key : armKeys())
+      if (key.of_log != nullptr && log.*key.of_log) entry[std::string{key.json}] = *(log.*key.of_log);
+    if (log.supply_v) entry["supply_V"] = *log.supply_v;
     if (log.speed_limit_rad_s > 0) entry["speed_limit_rad_s"] = log.speed_limit_rad_s;
     list.push_back(std::move(entry));
   }

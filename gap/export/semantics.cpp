@@ -7,6 +7,7 @@
 #include "gap/export/joints.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plant/bench/roll_out.hpp"
+#include "gap/plant/row_state.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 void replay(const Trajectory& log, GoalOrder order, TargetJoint& joint, double step_s, std::vector<double>& position) {
   constexpr double kSameInstant = 1e-6;  // of a step
   const bool after_read = order == GoalOrder::kAfterRead, held = after_read && log.torque_on[0] != 0;
-  joint.reset(held ? log.goal_rad[0] : log.position_rad[0]);
+  joint.reset(held ? log.goal_rad[0] : knownPosition(log, 0));
   if (held)
     for (long i = std::lround(kHeldBefore / step_s); i > 0; --i) joint.step(true, log.goal_rad[0]);
   long steps = 0;
@@ -85,7 +86,10 @@ ReMeasured remeasure(Target target, const Case& given, const Hypothesis& hypothe
     Conditions conditions = settings.conditions();
     conditions.p_register = log.p_register;
     if (log.speed_limit_rad_s > 0) conditions.speed_limit_rad_s = log.speed_limit_rad_s;
-    const auto joint = jointOf(target, numbersOf(hypothesis, conditions), armOf(hypothesis, log.payload_kg), step_s);
+    Hypothesis here = hypothesis;
+    here.pendulum = armOf(given, log, hypothesis);
+    here.servo.supply_v = supplyOf(given, log, hypothesis);
+    const auto joint = jointOf(target, numbersOf(here, conditions), armOf(here, log.payload_kg), step_s);
     std::vector<double> position;
     replay(log, given.goal_order, *joint, step_s, position);
     there[i].add(log.position_rad, position);

@@ -33,6 +33,7 @@ Discrepancy discrepancyOf(const Plant& plant, const Case& given, const std::vect
     plant.rollOut(given, index, hypothesis, {}, trace);
     double squares = 0, count = 0;
     for (std::size_t row = 0; row < log.rows(); ++row) {
+      if (std::isnan(log.position_rad[row])) continue;  // masked
       positions.push_back(std::abs(log.position_rad[row] - trace[kPositionSignal][row]));
       const double load =
           load_residual(log.load[row], log.position_rad[row], trace[kLoadSignal][row], trace[kPositionSignal][row]);

@@ -14,9 +14,10 @@ constexpr double kLoadSteps = 1'000;  // of the register: 0.1 %
 
 /// The log as the servo would report it in this run.
 Trajectory reportedLog(Trajectory log, const Trace& run) {
-  log.position_rad = run[kPositionSignal];
-  for (std::size_t row = 0; row < log.rows(); ++row)
+  for (std::size_t row = 0; row < log.rows(); ++row) {
+    if (!std::isnan(log.position_rad[row])) log.position_rad[row] = run[kPositionSignal][row];
     if (std::isfinite(log.load[row])) log.load[row] = std::round(run[kLoadSignal][row] * kLoadSteps) / kLoadSteps;
+  }
   return log;
 }
 

@@ -30,9 +30,11 @@ double errorOn(const FittedModel& fitted, std::size_t left_out) {
   Trace trace;
   rest.plant->rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
   double sum = 0;
+  double count = 0;
   for (std::size_t row = 0; row < measured.rows(); ++row)
-    sum += std::abs(measured.position_rad[row] - trace[kPositionSignal][row]);
-  return sum / static_cast<double>(measured.rows());
+    if (const double error = measured.position_rad[row] - trace[kPositionSignal][row]; !std::isnan(error))
+      sum += std::abs(error), ++count;
+  return sum / count;
 }
 
 }  // namespace

@@ -6,8 +6,7 @@ namespace darwinop::gap {
 
 double Localization::rms_rad() const {
   double sum = 0, count = 0;
-  for (const LogResidual& one : residuals)
-    sum += one.position_rad.squaredNorm(), count += static_cast<double>(one.position_rad.size());
+  for (const LogResidual& one : residuals) sum += one.squareSum(), count += one.known();
   return std::sqrt(sum / count);
 }
 

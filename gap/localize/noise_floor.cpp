@@ -18,6 +18,7 @@ double differenceOf(const Trajectory& a, const Trajectory& b) {
     while (j + 1 < b.rows() && std::abs(b.time_s[j + 1] - t) <= std::abs(b.time_s[j] - t)) ++j;
     if (std::abs(b.time_s[j] - t) > thresholds::kSameRowTime) continue;
     const double d = a.position_rad[i] - b.position_rad[j];
+    if (std::isnan(d)) continue;  // masked
     sum += d * d, count += 1;
   }
   return count > 0 ? std::sqrt(sum / count / 2) : std::numeric_limits<double>::quiet_NaN();
@@ -37,13 +38,13 @@ NoiseFloor floorOf(const Case& given, const Evidence& evidence, const SimulatedR
     const auto first = std::ranges::find(evidence.logs, log.repeat_of.value_or(given.logs.size()));
     if (first != evidence.logs.end()) {
       const Trajectory& other = given.logs[*first];
-      if (log.position_rad != other.position_rad) {  // a copy of a file is not a repeat
-        floor.repeats_rad = differenceOf(log, other);
+      if (const double difference = differenceOf(log, other); difference > 0) {  // a copy of a file is not a repeat
+        floor.repeats_rad = difference;
         double sum = 0;
         const auto j = static_cast<std::size_t>(first - evidence.logs.begin());
         for (const auto& run : copies) sum += std::pow(differenceOf(run[i], run[j]), 2);
         floor.expected_rad = std::sqrt(sum / static_cast<double>(copies.size()));
-        if (floor.expected_rad > 0 && !std::isnan(floor.repeats_rad)) {
+        if (floor.expected_rad > 0) {
           measured += floor.repeats_rad * floor.repeats_rad;
           expected += floor.expected_rad * floor.expected_rad;
           out.assumed = false;

@@ -22,6 +22,18 @@ Eigen::VectorXd whitened(const Study& study, std::size_t i, const Hypothesis& hy
 
 }  // namespace
 
+double LogResidual::squareSum() const {
+  if (known() == static_cast<double>(position_rad.size())) return position_rad.squaredNorm();
+  double sum = 0;
+  for (const double residual : position_rad)
+    if (!std::isnan(residual)) sum += residual * residual;
+  return sum;
+}
+
+double LogResidual::known() const {
+  return static_cast<double>(position_rad.size() - position_rad.array().isNaN().count());
+}
+
 std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor) {
   const Case& given = study.data;
   const Evidence& evidence = study.evidence;
@@ -39,7 +51,7 @@ std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor
       const auto row = static_cast<std::size_t>(k);
       one.position_rad[k] = given.logs[one.log].position_rad[row] - trace[kPositionSignal][row];
     }
-    one.rms_rad = std::sqrt(one.position_rad.squaredNorm() / static_cast<double>(one.z.size()));
+    one.rms_rad = std::sqrt(one.squareSum() / one.known());
     one.floors = one.rms_rad / floor.logs[i].rms_rad;
     jacobians[i].setZero(one.z.size(), static_cast<Eigen::Index>(numbers.size()));
     for (std::size_t k = 0; k < numbers.size(); ++k) {

@@ -73,7 +73,24 @@ Hypothesis baselineOf(const Case& given) {
   return baseline;
 }
 
+twin::Pendulum armOf(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
+  twin::Pendulum arm = hypothesis.pendulum;
+  arm.payload_kg = log.payload_kg * hypothesis.payload_scale;
+  if (log.length_m) arm.length_m *= *log.length_m / given.pendulum.length_m;
+  if (log.arm_mass_kg) arm.arm_mass_kg = *log.arm_mass_kg;
+  return arm;
+}
+
+double supplyOf(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
+  const double scale = log.supply_v ? *log.supply_v / given.model.servo.supply_v : 1;
+  return hypothesis.servo.supply_v * scale;
+}
+
 Case withModel(Case given, const Hypothesis& model) {
+  for (Trajectory& log : given.logs) {
+    if (log.length_m) *log.length_m *= model.pendulum.length_m / given.pendulum.length_m;
+    if (log.supply_v) *log.supply_v *= model.servo.supply_v / given.model.servo.supply_v;
+  }
   given.model.servo = model.servo;
   given.model.effects.assign(model.effects.begin(), model.effects.end());
   given.pendulum = model.pendulum;

@@ -44,6 +44,12 @@ bool loadIsDutyIn(const Hypothesis& hypothesis, const Trajectory& log);
 /// The model that the case starts from.
 Hypothesis baselineOf(const Case& given);
 
+/// Arm of a log's bench under the hypothesis, with its payload. Where a log has an arm of its own, the hypothesis
+/// scales its length as it does that of the case.
+twin::Pendulum armOf(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);
+/// Nominal supply of a log's bench under the hypothesis, V; scaled in the same way.
+double supplyOf(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);
+
 /// The case with another model as its baseline.
 Case withModel(Case given, const Hypothesis& model);
 

@@ -1,5 +1,6 @@
 #include "gap/plant/position_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -20,8 +21,10 @@ std::size_t overErrors(const Plant& plant, const Case& data, const Hypothesis& h
     const Trajectory& log = data.logs[i];
     if (log.held_out != (role == LogRole::kHeldOut) || copies[i]) continue;
     plant.rollOut(data, i, hypothesis, {}, trace);
+    const auto masked = std::ranges::count_if(log.position_rad, [](double position) { return std::isnan(position); });
     for (std::size_t row = 0; row < log.rows(); ++row)
-      add(log.position_rad[row] - trace[kPositionSignal][row], static_cast<double>(log.rows()));
+      if (!std::isnan(log.position_rad[row]))
+        add(log.position_rad[row] - trace[kPositionSignal][row], static_cast<double>(log.rows()) - double(masked));
     ++logs;
   }
   return logs;

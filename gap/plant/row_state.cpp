@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <cmath>
 
 #include "gap/thresholds.hpp"
 
@@ -12,17 +13,34 @@ RowState stateAt(const Trajectory& log, std::size_t row) {
   std::size_t from = row, to = row;
   while (from > 0 && log.time_s[row] - log.time_s[from - 1] <= half) --from;
   while (to + 1 < log.rows() && log.time_s[to + 1] - log.time_s[row] <= half) ++to;
+  const double about_rad = knownPosition(log, row);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (std::size_t i = from; i <= to; ++i) {
+    if (std::isnan(log.position_rad[i])) continue;
     const double t = (log.time_s[i] - log.time_s[row]) / half;
     const Eigen::Vector3d basis{1, t, t * t};
     normal += basis * basis.transpose();
-    right += basis * (log.position_rad[i] - log.position_rad[row]);
+    right += basis * (log.position_rad[i] - about_rad);
   }
   normal.diagonal().array() += 1e-9;  // fewer than three rows: still solvable
   const Eigen::Vector3d fit = normal.inverse() * right;
-  return {log.position_rad[row] + fit[0], fit[1] / half};
+  return {about_rad + fit[0], fit[1] / half};
+}
+
+double lastReading(const Trajectory& log, const std::vector<double>& column, std::size_t row) {
+  while (row > 0 && std::isnan(column[row]) && !log.masked.empty()) --row;
+  return column[row];
+}
+
+double knownPosition(const Trajectory& log, std::size_t row) {
+  if (!std::isnan(log.position_rad[row])) return log.position_rad[row];
+  std::size_t before = row, after = row;
+  while (before > 0 && std::isnan(log.position_rad[before])) --before;
+  while (after + 1 < log.rows() && std::isnan(log.position_rad[after])) ++after;
+  const double from = log.position_rad[before], to = log.position_rad[after];
+  if (std::isnan(from) || std::isnan(to)) return std::isnan(from) ? to : from;
+  return from + (to - from) * (log.time_s[row] - log.time_s[before]) / (log.time_s[after] - log.time_s[before]);
 }
 
 }  // namespace darwinop::gap

@@ -1,6 +1,8 @@
 // The measured state of a joint at a row of a log.
 #pragma once
 
+#include <vector>
+
 #include "gap/case/case.hpp"
 
 namespace darwinop::gap {
@@ -10,5 +12,11 @@ struct RowState {
   double position_rad, speed_rad_s;
 };
 RowState stateAt(const Trajectory& log, std::size_t row);
+
+/// Reading of one column of the log, or where it is masked the last before.
+double lastReading(const Trajectory& log, const std::vector<double>& column, std::size_t row);
+
+/// Position of a row: measured, or where it is masked on a straight line between its neighbours.
+double knownPosition(const Trajectory& log, std::size_t row);
 
 }  // namespace darwinop::gap

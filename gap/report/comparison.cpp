@@ -30,10 +30,18 @@ struct Squares {
   }
 };
 
+/// Masked values of `a` do not count.
 double squareOf(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!std::isnan(a[i])) sum += (a[i] - b[i]) * (a[i] - b[i]);
   return sum;
+}
+
+/// Rows whose position is not masked.
+double knownRows(const Trajectory& log) {
+  const auto masked = std::ranges::count_if(log.position_rad, [](double position) { return std::isnan(position); });
+  return static_cast<double>(log.rows()) - static_cast<double>(masked);
 }
 
 /// Rms of the positions' residuals in units of the noise.
@@ -41,7 +49,7 @@ double shareOf(const LogNoise& noise, const Trajectory& log, const Trace& trace)
   Eigen::VectorXd residuals(noise.size());
   noise.residuals(log, trace, residuals);
   const Eigen::Index positions = noise.size() / 2;  // loads follow
-  return std::sqrt(residuals.head(positions).squaredNorm() / static_cast<double>(positions));
+  return std::sqrt(residuals.head(positions).squaredNorm() / knownRows(log));
 }
 
 Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis& after, LogComparison& one) {
@@ -55,8 +63,8 @@ Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis
   one.after_rad = trace[kPositionSignal];
   Squares squares{.before = squareOf(log.position_rad, one.before_rad),
                   .after = squareOf(log.position_rad, one.after_rad),
-                  .floor = noise.positionSigma().squaredNorm(),
-                  .rows = static_cast<double>(log.rows())};
+                  .floor = noise.positionSigma().squaredNorm() * (knownRows(log) / static_cast<double>(log.rows())),
+                  .rows = knownRows(log)};
   one.gap = squares.rms();
   one.noise_share = shareOf(noise, log, trace);
   one.below_floor = one.gap.after_rad < one.gap.floor_rad && one.noise_share < thresholds::kBelowFloorShare;

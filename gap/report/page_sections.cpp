@@ -6,6 +6,8 @@
 
 #include "core/text/joined.hpp"
 #include "core/text/number_text.hpp"
+#include "gap/case/bad_rows.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/line_diff.hpp"
@@ -56,6 +58,13 @@ std::string titleRow(const Comparison& comparison, bool held_out) {
   return "<tr class=\"all\"><th scope=\"row\">" + std::to_string(count) + (count == 1 ? " log" : " logs") +
          "</th><td>" + (held_out ? "held out" : "fitted") + "</td>" +
          gapCells(held_out ? comparison.held_out : comparison.fit, false) + "</tr>\n";
+}
+
+std::string maskedText(const Case& given) {
+  std::string items;
+  for (const Trajectory& log : given.logs)
+    for (const MaskedReadings& masked : log.masked) items += element("li", asSentence(log, masked)) + "\n";
+  return items.empty() ? "" : element("p", messages::kMaskedReadings) + wrap("ul", items);
 }
 
 }  // namespace
@@ -120,7 +129,7 @@ std::string logsSection(const Report& report) {
               "and more is a gap. Only held-out logs show whether a model is better.");
   if (all.anyBelowFloor(*report.given, true) || all.anyBelowFloor(*report.given, false))
     inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
-  return section("log-by-log", "Log by log", inside);
+  return section("log-by-log", "Log by log", inside + maskedText(*report.given));
 }
 
 std::string modelSection(const Report& report) {

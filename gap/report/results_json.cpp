@@ -56,6 +56,20 @@ json benchOf(const Case& given, const Identification& identification) {
           {"length_factor", identification.model.pendulum.length_m / given.pendulum.length_m}};
 }
 
+/// Readings that count nowhere, by log and column.
+json maskedOf(const Case& given) {
+  json all = json::array();
+  for (const Trajectory& log : given.logs)
+    for (const MaskedReadings& masked : log.masked)
+      all.push_back({{"file", log.file},
+                     {"column", masked.column},
+                     {"rows", masked.rows},
+                     {"of", log.rows()},
+                     {"first_line", masked.first_line},
+                     {"why", masked.why}});
+  return all;
+}
+
 }  // namespace
 
 json asJson(const Case& given, const Outcome& outcome) {
@@ -100,6 +114,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"gap_score_after_mrad", mradOrNull(outcome.verification.rms_after_rad)},
           {"mean_error_held_out_before_mrad", mradOrNull(outcome.verification.mean_before_rad)},
           {"mean_error_held_out_after_mrad", mradOrNull(outcome.verification.mean_after_rad)},
+          {"masked", maskedOf(given)},
           {"warnings", given.warnings},
           {"runtime_s", std::round(outcome.runtime_s * 10) / 10}};
 }

@@ -213,5 +213,23 @@ TEST(CaseRead, AnErrorForAFolderWithoutACaseSuggestsHowToMakeOne) {
   }
 }
 
+TEST(CaseRead, ALogHasItsOwnBench) {
+  const std::string own = "\"payload_kg\": 0.3, \"arm_mass_kg\": 0.1, \"length_m\": 0.2, \"supply_V\": 11";
+  const Case c = CaseTexts{}.with("\"payload_kg\": 0.3", own).read();
+  EXPECT_EQ(c.logs[0].length_m, 0.2);
+  EXPECT_EQ(c.logs[0].arm_mass_kg, 0.1);
+  EXPECT_EQ(supplyOf(c, c.logs[0]), 11);
+  EXPECT_EQ(armOf(c, c.logs[0]).length_m, 0.2);
+  EXPECT_EQ(armOf(c, c.logs[1]).length_m, 0.17);
+  EXPECT_EQ(supplyOf(c, c.logs[1]), 12);
+  EXPECT_NE(CaseTexts{}.with("\"payload_kg\": 0.3", "\"payload_kg\": 0.3, \"length_m\": 0").error(), "");
+  // Without that of the case every log needs one.
+  CaseTexts all = CaseTexts{}.with(", \"length_m\": 0.17", "");
+  EXPECT_NE(all.error(), "");
+  all = all.with("\"payload_kg\": 0.3, \"t0_session_s\": 1.5", "\"payload_kg\": 0.3, \"length_m\": 0.2");
+  all = all.with("\"payload_kg\": 0.3, \"t0_session_s\": 9", "\"payload_kg\": 0.3, \"length_m\": 0.3");
+  EXPECT_EQ(all.read().pendulum.length_m, 0.2);
+}
+
 }  // namespace
 }  // namespace darwinop::gap

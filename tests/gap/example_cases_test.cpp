@@ -43,6 +43,7 @@ TEST(ExampleCases, AreReadWithoutAWarning) {
     const Case c = readCase(folder);
     const DataCheck check = checkData(c);
     EXPECT_THAT(check.warnings, testing::ElementsAre()) << folder;
+    EXPECT_THAT(check.masked, testing::ElementsAre()) << folder;
     EXPECT_EQ(c.name, folder.filename());
     EXPECT_EQ(c.logs.size(), 10u);
     EXPECT_TRUE(c.datasheet.has_value());

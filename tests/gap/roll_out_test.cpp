@@ -7,6 +7,8 @@
 #include "core/conversions.hpp"
 #include "gap/fit/unknown.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plant/position_error.hpp"
+#include "gap/plant/row_state.hpp"
 #include "small_case.hpp"
 
 namespace darwinop::gap {
@@ -31,6 +33,54 @@ TEST(RollOut, AGoalWrittenBeforeTheReadActsOneRowEarlier) {
   bench.goal_order = GoalOrder::kBeforeRead;
   const std::size_t before = firstRowBeyond(traceOf(bench, 0, baselineOf(bench))[kLoadSignal], 0.1);
   EXPECT_EQ(after, before + 1);
+}
+
+TEST(RollOut, AMaskedPositionLiesBetweenItsNeighbours) {
+  Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
+  Trajectory& log = bench.logs[2];
+  log.position_rad[40] = log.position_rad[41] = log.position_rad[0] = std::nan("");
+  const double from = log.position_rad[39], to = log.position_rad[42];
+  EXPECT_NEAR(knownPosition(log, 40), from + (to - from) / 3, 1e-9);
+  EXPECT_EQ(knownPosition(log, 0), log.position_rad[1]);
+  EXPECT_NEAR(stateAt(log, 40).position_rad, knownPosition(log, 40), 0.02);
+  // Neither rows nor windows that end there count, all others do.
+  const Hypothesis model = baselineOf(bench);
+  EXPECT_GT(rmsPositionError(plantOf(bench), bench, model, LogRole::kFit), 0);
+  for (const Trajectory& one : bench.logs)
+    for (const Block block : plantOf(bench).blocks()) {
+      const BlockResiduals residuals = plantOf(bench).blockResiduals(block, {}, bench, one, model, {});
+      for (Eigen::Index i = 0; i < residuals.residual.size(); ++i)
+        ASSERT_LT(std::isnan(residuals.residual[i]) ? 0 : std::abs(residuals.residual[i]), 0.2);
+    }
+}
+
+TEST(RollOut, EachLogHasItsOwnBench) {
+  Case bench = smallBench();
+  const double longer_m = 1.5 * bench.pendulum.length_m, heavier_kg = 0.2;
+  Case other = bench;
+  other.pendulum.length_m = longer_m;
+  other.pendulum.arm_mass_kg = heavier_kg;
+  other.model.servo.supply_v = 10;
+  Trajectory& own = bench.logs[2];
+  const Trace of_case = traceOf(bench, 2, baselineOf(bench));
+  own.length_m = longer_m;
+  own.arm_mass_kg = heavier_kg;
+  own.supply_v = 10;
+  const Trace trace = traceOf(bench, 2, baselineOf(bench));
+  const std::vector<double> expected = traceOf(other, 2, baselineOf(other))[kPositionSignal];
+  ASSERT_EQ(trace[kPositionSignal].size(), expected.size());
+  for (std::size_t row = 0; row < expected.size(); ++row) {
+    ASSERT_NEAR(trace[kPositionSignal][row], expected[row], 1e-9);
+    ASSERT_NEAR(trace[kSupplySignal][row], 10, 1e-9);
+  }
+  EXPECT_NE(trace[kPositionSignal], of_case[kPositionSignal]);
+  // A length that a fit changes scales every arm, and stays when the model becomes that of the case.
+  Hypothesis longer = baselineOf(bench);
+  longer.pendulum.length_m *= 1.1;
+  EXPECT_NEAR(armOf(bench, own, longer).length_m, 1.1 * longer_m, 1e-12);
+  const Case with = withModel(bench, longer);
+  EXPECT_NEAR(armOf(with, with.logs[2], baselineOf(with)).length_m, 1.1 * longer_m, 1e-12);
+  EXPECT_EQ(armOf(bench, bench.logs[0], baselineOf(bench)).length_m, bench.pendulum.length_m);
 }
 
 TEST(RollOut, ALimpServoShowsNoLoadAndTheArmFalls) {

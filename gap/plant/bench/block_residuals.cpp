@@ -45,7 +45,7 @@ BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, con
   const double gain = hypothesis.servo.duty_per_kp_per_rad * log.p_register;
   const double reading = std::hypot(gain * readingSigma(hypothesis.servo), kLoadStep * kOfAStep);
   for (std::size_t row = 1; row < log.rows(); ++row) {
-    if (log.torque_on[run.row[run.last[row]]] == 0) continue;
+    if (log.torque_on[run.row[run.last[row]]] == 0 || std::isnan(log.position_rad[row])) continue;
     const auto i = static_cast<Eigen::Index>(row);
     out.residual[i] = log.load[row] - run.duty[run.last[row]];
     // The period of a load is known to one period only, and a row may be read late by as much.
@@ -64,12 +64,13 @@ BlockResiduals supplyResiduals(const Case& given, const Trajectory& log, const H
   return out;
 }
 
-Eigen::VectorXd drawnCurrent(const Trajectory& log, const Hypothesis& hypothesis) {
+Eigen::VectorXd drawnCurrent(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
   const twin::ServoParameters& servo = hypothesis.servo;
+  const double supply_v = supplyOf(given, log, hypothesis);
   Eigen::VectorXd current(static_cast<Eigen::Index>(log.rows()));
   for (std::size_t row = 0; row < log.rows(); ++row) {
     const double duty = log.torque_on[row] == 0 ? 0 : log.load[row];
-    const double volt_v = std::isnan(log.volt_v[row]) ? servo.supply_v : log.volt_v[row];
+    const double volt_v = std::isnan(log.volt_v[row]) ? supply_v : log.volt_v[row];
     const double motor = (duty * volt_v - servo.back_emf_vs_rad * stateAt(log, row).speed_rad_s) / servo.resistance_ohm;
     current[static_cast<Eigen::Index>(row)] = duty * motor;
   }
@@ -79,7 +80,7 @@ Eigen::VectorXd drawnCurrent(const Trajectory& log, const Hypothesis& hypothesis
 double supplyResistance(const Case& given, const std::vector<const Trajectory*>& logs, const Hypothesis& hypothesis) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const Trajectory* const log : logs) {
-    const Eigen::VectorXd current = drawnCurrent(*log, hypothesis),
+    const Eigen::VectorXd current = drawnCurrent(given, *log, hypothesis),
                           volt = supplyResiduals(given, *log, hypothesis).residual;
     for (Eigen::Index k = 0; k < current.size(); ++k) {
       if (std::isnan(current[k]) || std::isnan(volt[k])) continue;
@@ -98,6 +99,7 @@ BlockResiduals sensorResiduals(const Trajectory& log, const Hypothesis& hypothes
     if (log.time_s[row] - log.time_s[0] < kSpeedSpan) continue;
     const auto i = static_cast<Eigen::Index>(row);
     const double moved = log.position_rad[row] - positionAt(log, row, log.time_s[row] - kSpeedSpan);
+    if (std::isnan(moved)) continue;  // a masked position
     out.residual[i] = log.speed_rad_s[row] - moved / kSpeedSpan;
     const double before = stateAt(log, row - 1).speed_rad_s, after = stateAt(log, row + 1).speed_rad_s;
     const double accel = (after - before) / (log.time_s[row + 1] - log.time_s[row - 1]);

@@ -13,7 +13,7 @@ BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, con
 /// volt - what the supply should give, V.
 BlockResiduals supplyResiduals(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);
 /// What the servo draws from its supply at each row, A: duty times motor current.
-Eigen::VectorXd drawnCurrent(const Trajectory& log, const Hypothesis& hypothesis);
+Eigen::VectorXd drawnCurrent(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);
 
 /// Slope of the voltage against that current, ohm; a constant offset of the voltage does not matter. NaN without
 /// information.

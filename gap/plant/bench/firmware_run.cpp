@@ -7,6 +7,7 @@
 
 #include "core/conversions.hpp"
 #include "gap/plant/bench/surroundings.hpp"
+#include "gap/plant/row_state.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -31,7 +32,8 @@ std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t 
 }
 
 double temperatureOf(const Trajectory& log, std::size_t row) {
-  return std::isnan(log.temp_c[row]) ? twin::kRoomC : log.temp_c[row];
+  const double temperature = lastReading(log, log.temp_c, row);
+  return std::isnan(temperature) ? twin::kRoomC : temperature;
 }
 
 FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
@@ -40,8 +42,9 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
   double temperature_c = temperatureOf(log, 0);
   twin::Servo servo = servoFor(hypothesis, temperature_c);
   const bool held = given.goal_order == GoalOrder::kAfterRead && log.torque_on[0] != 0;
-  servo.reset(held ? log.goal_rad[0] : log.position_rad[0], log.session_start_s);
-  ServoDrive drive{.torque_limit = 1, .p_gain = log.p_register / kRegisterPerKp, .supply_v = hypothesis.servo.supply_v};
+  servo.reset(held ? log.goal_rad[0] : knownPosition(log, 0), log.session_start_s);
+  ServoDrive drive{
+      .torque_limit = 1, .p_gain = log.p_register / kRegisterPerKp, .supply_v = supplyOf(given, log, hypothesis)};
   drive.speed_limit_rad_s = log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity();
   const auto period = [&](std::size_t commands, double position, double velocity) {
     drive.goal_rad = log.goal_rad[commands];
@@ -54,15 +57,16 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
     run.position_rad.push_back(position);
     run.row.push_back(commands);
   };
-  period(0, log.position_rad[0], 0);
+  period(0, knownPosition(log, 0), 0);
   run.last.push_back(0);
   for (std::size_t row = 0; row + 1 < log.rows(); ++row) {
     const std::size_t commands = commandsAfter(given, log, row);
     const double from_s = log.time_s[row] - log.time_s[0], to_s = log.time_s[row + 1] - log.time_s[0];
-    const double velocity = (log.position_rad[row + 1] - log.position_rad[row]) / (to_s - from_s);
+    const double position = knownPosition(log, row);
+    const double velocity = (knownPosition(log, row + 1) - position) / (to_s - from_s);
     for (double t = static_cast<double>(run.periods()) * run.period_s; t <= to_s + kInstant * run.period_s;
          t = static_cast<double>(run.periods()) * run.period_s)
-      period(commands, log.position_rad[row] + velocity * (t - from_s), velocity);
+      period(commands, position + velocity * (t - from_s), velocity);
     run.last.push_back(run.periods() - 1);
   }
   return run;

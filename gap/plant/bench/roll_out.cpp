@@ -10,6 +10,7 @@
 
 #include "core/conversions.hpp"
 #include "gap/plant/bench/surroundings.hpp"
+#include "gap/plant/row_state.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -26,9 +27,9 @@ class Run {
         options_{options},
         folded_{options.steps_per_period > 0 ? 1 : foldedPeriods(log, hypothesis)},
         period_s_{folded_ * hypothesis.servo.firmware_period_s},
-        nominal_v_{hypothesis.servo.supply_v},
+        nominal_v_{supplyOf(given, log, hypothesis)},
         temperature_c_{temperatureAt(0)},
-        bench_{servoOf(hypothesis), effects(hypothesis), pendulumOf(hypothesis)} {
+        bench_{servoOf(hypothesis), effects(hypothesis), armOf(given, log, hypothesis)} {
     if (options.disturbance != nullptr)
       ripple_.emplace(options.disturbance->supply_v, options.disturbance->supply_time_s, period_s_,
                       options.disturbance->seed * 2 + 1);
@@ -64,7 +65,7 @@ class Run {
   void begin(const Hypothesis& hypothesis) {
     const bool held = given_.goal_order == GoalOrder::kAfterRead && drive_.torque_on;
     bench_.reset({.steps_per_period = stepsFor(hypothesis),
-                  .start_rad = held ? log_.goal_rad[0] : log_.position_rad[0],
+                  .start_rad = held ? log_.goal_rad[0] : knownPosition(log_, 0),
                   .session_time_s = log_.session_start_s - (held ? kHeldBefore : 0)});
     if (held)
       for (long i = std::lround(kHeldBefore / period_s_); i > 0; --i) step();
@@ -127,7 +128,7 @@ class Run {
   }
 
   [[nodiscard]] double temperatureAt(std::size_t row) const {
-    const double temperature = log_.warmth_c.empty() ? log_.temp_c[row] : log_.warmth_c[row];
+    const double temperature = lastReading(log_, log_.warmth_c.empty() ? log_.temp_c : log_.warmth_c, row);
     return std::isnan(temperature) ? twin::kRoomC : temperature;
   }
 
@@ -144,12 +145,6 @@ class Run {
     all.push_back(std::make_unique<Surroundings>(temperature_c_, options_.disturbance, period_s_, aheadS()));
     for (const twin::EffectSetting& effect : hypothesis.effects) all.push_back(effect.info->make(effect.values));
     return all;
-  }
-
-  [[nodiscard]] twin::Pendulum pendulumOf(const Hypothesis& hypothesis) const {
-    twin::Pendulum pendulum = hypothesis.pendulum;
-    pendulum.payload_kg = log_.payload_kg * hypothesis.payload_scale;
-    return pendulum;
   }
 
   const Case& given_;

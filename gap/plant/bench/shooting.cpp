@@ -62,9 +62,9 @@ class Shooter {
         options_{options},
         run_{runFirmware(given, log, hypothesis)},
         duty_{loadIsDutyIn(hypothesis, log) ? measuredDuty(log, run_, hypothesis.servo.duty_max) : run_.duty},
-        nominal_v_{hypothesis.servo.supply_v},
+        nominal_v_{supplyOf(given, log, hypothesis)},
         temperature_c_{temperatureOf(log, 0)},
-        bench_{servoOf(hypothesis), effects(hypothesis), pendulumOf(hypothesis, log)} {}
+        bench_{servoOf(hypothesis), effects(hypothesis), armOf(given, log, hypothesis)} {}
 
   /// Measured - simulated position at row `to` when begun at row `from`.
   double residual(std::size_t from, std::size_t to) {
@@ -103,7 +103,8 @@ class Shooter {
  private:
   /// Between the reads of two rows on a straight line.
   [[nodiscard]] double supplyAt(std::size_t period, std::size_t next_row) const {
-    const double before = log_.volt_v[next_row - 1], after = log_.volt_v[next_row];
+    const double before = lastReading(log_, log_.volt_v, next_row - 1),
+                 after = lastReading(log_, log_.volt_v, next_row);
     if (!options_.measured_supply || std::isnan(before) || std::isnan(after)) return nominal_v_;
     const std::size_t from = run_.last[next_row - 1], to = run_.last[next_row];
     return before + (after - before) * static_cast<double>(period - from) / static_cast<double>(to - from);
@@ -126,12 +127,6 @@ class Shooter {
       all.push_back(effect.info->make(effect.values));
     }
     return all;
-  }
-
-  static twin::Pendulum pendulumOf(const Hypothesis& hypothesis, const Trajectory& log) {
-    twin::Pendulum pendulum = hypothesis.pendulum;
-    pendulum.payload_kg = log.payload_kg * hypothesis.payload_scale;
-    return pendulum;
   }
 
   const Trajectory& log_;

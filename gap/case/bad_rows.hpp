@@ -1,0 +1,23 @@
+// Lone readings that a servo cannot have made: a register that came back as 0, a telegram read wrongly, an old answer
+// read again. They are masked, which is NaN in the log, and counted.
+#pragma once
+
+#include <string>
+
+#include "gap/case/case.hpp"
+
+namespace darwinop::gap {
+
+/// Greatest share of the rows of a log in which a column may have no usable reading. With a tenth of the rows of all
+/// logs masked at random, a case names the same effect with the same number: docs/gap/cases.md has the figures. A
+/// servo that loses more has another fault, which the readings that are left may share.
+inline constexpr double kMostMasked = 0.1;
+
+/// Masks readings of position, speed, load, voltage and temperature. `file` is used in messages. Throws BadInput where
+/// more than kMostMasked of a column is out of its physical range or not there although the log needs it.
+void maskBadRows(Trajectory& log, const std::string& file, const Case& c);
+
+/// "fit_1.csv: 2 of 600 readings of pos are masked, the first in line 302: they jump and come back".
+std::string asSentence(const Trajectory& log, const MaskedReadings& masked);
+
+}  // namespace darwinop::gap
