@@ -24,7 +24,7 @@ struct OtherUnit {
   double factor;  // to the unit in the name of the column
   std::string_view advice;
 };
-struct Reading {
+struct ColumnBounds {
   std::vector<double> Trajectory::*values;
   std::string_view column, unit;
   double low, high, shown;  // shown: factor to what the file has
@@ -32,25 +32,25 @@ struct Reading {
 };
 constexpr double kTwoTurns = 4 * kPi;
 // Loads end at 100 %; some servos report a count more.
-const std::array kReadings{
-    Reading{&Trajectory::position_rad,
-            "pos",
-            "rad",
-            -kTwoTurns,
-            kTwoTurns,
-            1,
-            {{{kPi / 180, "are these degrees? name the column pos_deg then"}, {0, ""}}}},
-    Reading{&Trajectory::speed_rad_s,
-            "speed",
-            "rad/s",
-            -100,
-            100,
-            1,
-            {{{2 * kPi / 60, "are these rpm? name the column speed_rpm then"},
-              {kPi / 180, "are these degrees? name the column speed_deg_s then"}}}},
-    Reading{&Trajectory::load, "load", "%", -1.01, 1.01, 100, {{{100.0 / 2047, messages::kRawCounts}, {0, ""}}}},
-    Reading{&Trajectory::volt_v, "volt", "V", 3, 30, 1, {{{0.1, messages::kRawCounts}, {0, ""}}}},
-    Reading{&Trajectory::temp_c, "temp", "degC", -20, 100, 1, {{{0, ""}, {0, ""}}}},
+const std::array kColumnBounds{
+    ColumnBounds{&Trajectory::position_rad,
+                 "pos",
+                 "rad",
+                 -kTwoTurns,
+                 kTwoTurns,
+                 1,
+                 {{{kPi / 180, "are these degrees? name the column pos_deg then"}, {0, ""}}}},
+    ColumnBounds{&Trajectory::speed_rad_s,
+                 "speed",
+                 "rad/s",
+                 -100,
+                 100,
+                 1,
+                 {{{2 * kPi / 60, "are these rpm? name the column speed_rpm then"},
+                   {kPi / 180, "are these degrees? name the column speed_deg_s then"}}}},
+    ColumnBounds{&Trajectory::load, "load", "%", -1.01, 1.01, 100, {{{100.0 / 2047, messages::kRawCounts}, {0, ""}}}},
+    ColumnBounds{&Trajectory::volt_v, "volt", "V", 3, 30, 1, {{{0.1, messages::kRawCounts}, {0, ""}}}},
+    ColumnBounds{&Trajectory::temp_c, "temp", "degC", -20, 100, 1, {{{0, ""}, {0, ""}}}},
 };
 
 std::string sixDigits(double value) {
@@ -69,14 +69,14 @@ bool areFew(std::size_t some, std::size_t all) {
   return static_cast<double>(some) <= kMostMasked * static_cast<double>(all);
 }
 
-void mask(Trajectory& log, const Reading& of, const std::vector<std::size_t>& rows, std::string_view why) {
+void mask(Trajectory& log, const ColumnBounds& of, const std::vector<std::size_t>& rows, std::string_view why) {
   if (rows.empty()) return;
   for (const std::size_t row : rows) (log.*of.values)[row] = kMasked;
   log.masked.push_back({.column = of.column, .why = why, .rows = rows.size(), .first_line = log.lines[rows.front()]});
 }
 
 /// A unit in which all of the readings would be possible; a lone fault has none.
-std::string_view adviceFor(const Reading& of, const std::vector<double>& values) {
+std::string_view adviceFor(const ColumnBounds& of, const std::vector<double>& values) {
   for (const OtherUnit& other : of.others) {
     const auto fits = [&](double value) {
       return std::isnan(value) || (value * other.factor >= of.low && value * other.factor <= of.high);
@@ -86,7 +86,7 @@ std::string_view adviceFor(const Reading& of, const std::vector<double>& values)
   return "check the cable and the unit, and measure again";
 }
 
-void maskOutOfRange(Trajectory& log, const std::string& file, const Reading& of) {
+void maskOutOfRange(Trajectory& log, const std::string& file, const ColumnBounds& of) {
   const std::vector<double>& values = log.*of.values;
   std::vector<std::size_t> outside;
   for (std::size_t row = 0; row < values.size(); ++row)
@@ -101,7 +101,7 @@ void maskOutOfRange(Trajectory& log, const std::string& file, const Reading& of)
 }
 
 void noteEmptyPositions(Trajectory& log, const std::string& file) {
-  MaskedReadings empty{.column = kReadings[0].column, .why = messages::kMaskedMissing};
+  MaskedReadings empty{.column = kColumnBounds[0].column, .why = messages::kMaskedMissing};
   for (std::size_t row = 0; row < log.rows(); ++row)
     if (std::isnan(log.position_rad[row]) && ++empty.rows == 1) empty.first_line = log.lines[row];
   if (!areFew(empty.rows, log.rows()))
@@ -112,7 +112,7 @@ void noteEmptyPositions(Trajectory& log, const std::string& file) {
 }
 
 /// Sets of rows that are too many for lone faults stay: the bounds or the units are wrong, which other checks find.
-void maskIfFew(Trajectory& log, const Reading& of, const std::vector<std::size_t>& rows, std::string_view why) {
+void maskIfFew(Trajectory& log, const ColumnBounds& of, const std::vector<std::size_t>& rows, std::string_view why) {
   if (areFew(rows.size(), log.rows())) mask(log, of, rows, why);
 }
 
@@ -123,7 +123,7 @@ void maskPositionsOffTheChain(Trajectory& log, const PhysicalLimits& limits, dou
     return std::abs(log.position_rad[j] - log.position_rad[i]) <=
            limits.speed_rad_s * time_s + kReadingSteps * limits.encoder_step_rad;
   };
-  maskIfFew(log, kReadings[0], outsideLongestChain(knownRows(log.position_rad), can), messages::kMaskedJump);
+  maskIfFew(log, kColumnBounds[0], outsideLongestChain(knownRows(log.position_rad), can), messages::kMaskedJump);
 }
 
 /// Distance of the reading `at` beyond those before and after it, less what the greatest acceleration reaches in a turn
@@ -146,13 +146,13 @@ void maskLonePositions(Trajectory& log, const PhysicalLimits& limits) {
   std::vector<std::size_t> lone;
   for (std::size_t i = 1; i + 1 < rows.size(); ++i)
     if (beyond[i] > 0 && beyond[i] > beyond[i - 1] && beyond[i] >= beyond[i + 1]) lone.push_back(rows[i]);
-  maskIfFew(log, kReadings[0], lone, messages::kMaskedJump);
+  maskIfFew(log, kColumnBounds[0], lone, messages::kMaskedJump);
 }
 
 /// Same registers as in the row before; one of speed and load is read, and not 0.
 bool repeatsRowBefore(const Trajectory& log, std::size_t row) {
   bool informative = false;
-  for (const Reading& of : kReadings) {
+  for (const ColumnBounds& of : kColumnBounds) {
     const double now = (log.*of.values)[row], before = (log.*of.values)[row - 1];
     if (std::isnan(now) != std::isnan(before) || now < before || now > before) return false;
     informative =
@@ -183,7 +183,7 @@ void maskStaleRows(Trajectory& log, const PhysicalLimits& limits) {
     from = to;
   }
   if (!areFew(stale.size(), log.rows())) return;
-  for (const Reading& of : kReadings)
+  for (const ColumnBounds& of : kColumnBounds)
     if (std::ranges::any_of(stale, [&](std::size_t row) { return !std::isnan((log.*of.values)[row]); }))
       mask(log, of, stale, messages::kMaskedStale);
 }
@@ -194,21 +194,21 @@ void maskTemperatures(Trajectory& log, const PhysicalLimits& limits) {
     return std::abs(log.temp_c[j] - log.temp_c[i]) <=
            kRegisterSteps + limits.heating_k_s * (log.time_s[j] - log.time_s[i]);
   };
-  maskIfFew(log, kReadings[4], outsideLongestChain(knownRows(log.temp_c), can), messages::kMaskedHeat);
+  maskIfFew(log, kColumnBounds[4], outsideLongestChain(knownRows(log.temp_c), can), messages::kMaskedHeat);
 }
 
 void maskVoltages(Trajectory& log, const PhysicalLimits& limits) {
   std::vector<std::size_t> outside;
   for (std::size_t row = 0; row < log.rows(); ++row)
     if (log.volt_v[row] < limits.low_v || log.volt_v[row] > limits.high_v) outside.push_back(row);
-  maskIfFew(log, kReadings[3], outside, messages::kMaskedSupply);
+  maskIfFew(log, kColumnBounds[3], outside, messages::kMaskedSupply);
 }
 
 void maskSpeeds(Trajectory& log, const PhysicalLimits& limits) {
   std::vector<std::size_t> outside;
   for (std::size_t row = 0; row < log.rows(); ++row)
     if (std::abs(log.speed_rad_s[row]) > limits.speed_rad_s) outside.push_back(row);
-  maskIfFew(log, kReadings[1], outside, messages::kMaskedJump);
+  maskIfFew(log, kColumnBounds[1], outside, messages::kMaskedJump);
 }
 
 double medianOf(std::vector<double> values) {
@@ -223,7 +223,7 @@ double medianOf(std::vector<double> values) {
 
 void maskBadRows(Trajectory& log, const std::string& file, const Case& c) {
   noteEmptyPositions(log, file);
-  for (const Reading& of : kReadings) maskOutOfRange(log, file, of);
+  for (const ColumnBounds& of : kColumnBounds) maskOutOfRange(log, file, of);
   const PhysicalLimits limits = limitsOf(c, log, medianOf(log.volt_v));
   maskStaleRows(log, limits);
   maskPositionsOffTheChain(log, limits, periodOf(log));

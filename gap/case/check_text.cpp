@@ -83,6 +83,8 @@ std::string asText(const DataCheck& check) {
     }
     if (!any) out += "  nothing of what is looked at here\n";
   }
+  if (!check.contradictions.empty()) out += std::string{"\n"} + messages::kContradictions + "\n";
+  for (const Contradiction& found : check.contradictions) out += "  " + asSentence(found) + "\n";
   if (!check.masked.empty()) out += std::string{"\n"} + messages::kMaskedReadings + "\n";
   for (const std::string& masked : check.masked) out += "  " + masked + "\n";
   if (!check.warnings.empty()) out += "\nOdd:\n";

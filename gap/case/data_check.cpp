@@ -62,6 +62,7 @@ void warn(const LogCheck& log, std::vector<std::string>& warnings) {
 DataCheck checkData(const Case& c) {
   DataCheck out;
   out.warnings = c.warnings;
+  out.contradictions = contradictionsOf(c);
   const auto copies = duplicates(c);
   for (std::size_t i = 0; i < c.logs.size(); ++i) {
     const Trajectory& log = c.logs[i];

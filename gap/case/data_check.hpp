@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gap/case/case.hpp"
+#include "gap/case/contradictions.hpp"
 
 namespace darwinop::gap {
 
@@ -64,7 +65,8 @@ struct DataCheck {
   Excitation held_out;  // all held-out logs
   bool has_repeats = false;
   std::vector<DataFinding> findings;  // what cannot be seen first
-  std::vector<std::string> masked;    // sentences on readings that count nowhere, by log and column
+  std::vector<Contradiction> contradictions;
+  std::vector<std::string> masked;  // sentences on readings that count nowhere, by log and column
   std::vector<std::string> warnings;
 };
 

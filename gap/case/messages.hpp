@@ -14,6 +14,7 @@ inline constexpr const char* kNoFitLog = "has no log with \"role\": \"fit\"";
 inline constexpr const char* kNoPRegister = "the case does not have its P register";
 inline constexpr const char* kNotJson = "this is not JSON";
 inline constexpr const char* kNotJsonObject = "not a JSON object";
+inline constexpr const char* kOtherColumn = "is an encoding of another column";
 inline constexpr const char* kOtherDatasheetVoltage = "is of another voltage than ";
 inline constexpr const char* kOtherGainOrPayload = "which has another kp, payload, arm or supply";
 inline constexpr const char* kOtherJoint = "is another one than that of `logs[0]`";
@@ -33,6 +34,9 @@ inline constexpr const char* kMaskedMissing = "they are empty";
 inline constexpr const char* kMaskedRange = "they are outside the range of a servo";
 inline constexpr const char* kMaskedStale = "registers are those of the row before, though the joint moves on";
 inline constexpr const char* kMaskedSupply = "no current brings the supply there";
+inline constexpr const char* kNoEncoding = "has raw counts and no encoding";
+inline constexpr const char* kNoEncodingOf = "is not the name of an encoding";
+inline constexpr const char* kNotCount = " is a number that the register cannot hold";
 inline constexpr const char* kNotRegular = "it is not a regular file";
 inline constexpr const char* kOneInDegrees = "; one is in degrees, so name the column ";
 inline constexpr const char* kOutsideServoRange = ", outside the range of a servo (";
@@ -43,6 +47,8 @@ inline constexpr const char* kStuckLikeLoad = "and so does load, though the goal
 inline constexpr const char* kTooFastForServo = " rad/s, and this servo without load reaches ";
 
 // the data check
+inline constexpr const char* kContradicted = "; correct it before anything is fitted";
+inline constexpr const char* kContradictions = "The logs contradict numbers of the model:";
 inline constexpr const char* kCanReveal = "These data can reveal:";
 inline constexpr const char* kMaskedReadings = "Masked readings, which count nowhere:";
 inline constexpr const char* kCannotReveal = "These data cannot reveal:";

@@ -7,6 +7,7 @@
 #include "core/text/joined.hpp"
 #include "core/text/number_text.hpp"
 #include "gap/case/bad_rows.hpp"
+#include "gap/case/contradictions.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/html.hpp"
@@ -82,6 +83,7 @@ std::string verdictSection(const Report& report) {
         wrap("h1", html::text(name), " class=\"" + std::string{nameOf(report.outcome->identification.verdict)} + "\"");
     sentences = text::joined(verdictSentences(*report.outcome, report.comparison), " ");
   }
+  for (const Contradiction& found : contradictionsOf(*report.given)) sentences += " " + asSentence(found) + ".";
   return wrap("header", inside + wrap("p", html::text(sentences), " id=\"verdict\"")) + "\n";
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gap/case/contradictions.hpp"
 #include "gap/identify/assessment.hpp"
 #include "gap/report/results.hpp"
 #include "gap/report/sentences.hpp"
@@ -54,6 +55,18 @@ json numbersOf(const Additions& additions) {
 json benchOf(const Case& given, const Identification& identification) {
   return {{"payload_factor", identification.model.payload_scale},
           {"length_factor", identification.model.pendulum.length_m / given.pendulum.length_m}};
+}
+
+json contradictionsAsJson(const Case& given) {
+  json all = json::array();
+  for (const Contradiction& found : contradictionsOf(given))
+    all.push_back({{"number", found.number},
+                   {"model", found.model},
+                   {"measured", found.measured},
+                   {"unit", found.unit},
+                   {"logs", found.logs},
+                   {"of", found.of}});
+  return all;
 }
 
 /// Readings that count nowhere, by log and column.
@@ -114,6 +127,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"gap_score_after_mrad", mradOrNull(outcome.verification.rms_after_rad)},
           {"mean_error_held_out_before_mrad", mradOrNull(outcome.verification.mean_before_rad)},
           {"mean_error_held_out_after_mrad", mradOrNull(outcome.verification.mean_after_rad)},
+          {"contradictions", contradictionsAsJson(given)},
           {"masked", maskedOf(given)},
           {"warnings", given.warnings},
           {"runtime_s", std::round(outcome.runtime_s * 10) / 10}};

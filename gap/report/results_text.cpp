@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/text/joined.hpp"
+#include "gap/case/contradictions.hpp"
 #include "gap/identify/assessment.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
@@ -115,6 +116,7 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
   std::string text = "case " + given.name + ": " + std::string{nameOf(identification.verdict)} + "\n";
   for (const std::string& sentence : verdictSentences(outcome, comparison)) text += inLines(sentence);
   if (!outcome.remainder.empty()) text += inLines(outcome.remainder);
+  for (const Contradiction& found : contradictionsOf(given)) text += inLines(asSentence(found));
   text += "\n" + whereText(outcome.localization) + whatText(identification) + rivalText(identification);
   text += "\n" + tableText(given, comparison);
   std::string chance;

@@ -176,5 +176,37 @@ TEST(DataCheck, AsText) {
   EXPECT_THAT(text, HasSubstr("  " + found->sentence + "\n    -> " + std::string{found->remedy} + "\n"));
 }
 
+TEST(DataCheck, NumbersOfTheModelThatTheLogsContradict) {
+  EXPECT_THAT(contradictionsOf(CaseTexts{}.read()), testing::IsEmpty());
+  EXPECT_THAT(contradictionsOf(CaseTexts{}.with("\"supply_V\": 12.0", "\"supply_V\": 12.5").read()),
+              testing::IsEmpty());
+  const Case c = CaseTexts{}.with("\"supply_V\": 12.0", "\"supply_V\": 15").read();
+  const std::vector<Contradiction> found = contradictionsOf(c);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].number, "supply_V");
+  EXPECT_EQ(found[0].model, 15);
+  EXPECT_EQ(found[0].measured, 12);
+  EXPECT_EQ(found[0].logs, 2u);
+  EXPECT_THAT(asText(checkData(c)), testing::HasSubstr(asSentence(found[0])));
+  // Each log against its own bench.
+  const CaseTexts own = CaseTexts{}.with("\"payload_kg\": 0.3", "\"payload_kg\": 0.3, \"supply_V\": 10");
+  ASSERT_EQ(contradictionsOf(own.read()).size(), 1u);
+  EXPECT_EQ(contradictionsOf(own.read())[0].logs, 1u);
+  // A voltage that drops under load alone is a sag.
+  std::vector<CsvRow> rows = sineRows(1.2);
+  for (CsvRow& row : rows) row.volt = std::abs(row.load) < 5 ? 12 : 10;
+  EXPECT_THAT(contradictionsOf(CaseTexts{}.with(rows).read()), testing::IsEmpty());
+}
+
+TEST(DataCheck, ALoadBeyondTheGreatestDuty) {
+  std::vector<CsvRow> rows = sineRows();
+  for (std::size_t i = 50; i < 60; ++i) rows[i].load = 90;
+  const std::vector<Contradiction> found =
+      contradictionsOf(CaseTexts{}.with("\"duty_max\": 1.0", "\"duty_max\": 0.8").with(rows).read());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].number, "duty_max");
+  EXPECT_NEAR(found[0].measured, 0.9, 1e-9);
+}
+
 }  // namespace
 }  // namespace darwinop::gap

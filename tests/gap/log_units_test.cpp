@@ -62,7 +62,7 @@ TEST(LogUnits, ManyWildReadings) {
   EXPECT_EQ(CaseTexts{}.with(rows).error(), "");  // one is masked
   rows = sineRows();
   for (std::size_t i = 60; i < 120; i += 2) rows[i].pos += 2;
-  EXPECT_THAT(CaseTexts{}.with(rows).error(), HasSubstr("my/fit_1.csv, line 62: pos moves at"));
+  EXPECT_THAT(CaseTexts{}.with(rows).error(), HasSubstr(messages::kTooFastForServo));
 }
 
 TEST(LogUnits, PositionsOffTheStepsOfTheEncoderAreOdd) {
