@@ -45,6 +45,7 @@ struct Trajectory {
   std::vector<double> position_rad;  // NaN: masked, or not read
   std::vector<std::uint8_t> torque_on;
   std::vector<double> speed_rad_s, load, volt_v, temp_c;  // load: -1 to 1. NaN where the log has none
+  std::vector<double> current_a;     // as the servo reports it; empty or NaN: not known. Nothing is fitted to it
   std::vector<double> warmth_c;      // temp_c without the steps of its register; empty: not smoothed
   std::vector<std::uint32_t> lines;  // of the file, for messages
   std::vector<MaskedReadings> masked;

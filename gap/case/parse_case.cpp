@@ -99,6 +99,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
     top.leave(key);
   std::vector<LogEntry> entries = readEntries(top, out.warnings);
   linkRepeats(top, entries);
+  const Encodings raw = readEncodings(top);
   for (const LogEntry& entry : entries) out.logs.push_back(entry.head);
   readModelPart(top, files, entries.front().joint, out);
   out.logs.clear();
@@ -108,7 +109,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
     const logs::Log log = load(files, entry.head.file);
     takeOrder(top, log.recording, out);
     out.warnings.insert(out.warnings.end(), log.warnings.begin(), log.warnings.end());
-    fillTrajectory(log, entry, out.warnings);
+    fillTrajectory(log, raw, entry, out.warnings);
     checkRows(entry.head, log.file);
     maskBadRows(entry.head, log.file, out);
     checkUnits(entry.head, log.file, out);

@@ -1,11 +1,14 @@
 // The parts of a case.json, each read by a file of its own.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "core/joints.hpp"
 #include "gap/case/case.hpp"
+#include "gap/case/encodings.hpp"
 #include "gap/case/fields.hpp"
 #include "gap/case/parse_case.hpp"
 
@@ -18,6 +21,10 @@ void readModelPart(Fields& top, const CaseFiles& files, std::optional<Joint> joi
 /// What a sheet does not say is as in the baseline.
 Datasheet readDatasheet(Fields sheet, const twin::ServoParameters& baseline, std::vector<std::string>& warnings);
 inline constexpr twin::NumberRule kRelativeSigma{"", 1e-6, 10};
+
+/// `encodings`: of raw columns, by the name of the column ("load_raw").
+using Encodings = std::map<std::string, const Encoding*, std::less<>>;
+Encodings readEncodings(Fields& top);
 
 /// One entry of `logs`.
 struct LogEntry {
@@ -32,8 +39,9 @@ struct LogEntry {
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);
 
 /// The rows of a log. A recording of the runtime, docs/logs.md, also has some values of `entry`. Throws
-/// BadInput for a column that is missing or has a wrong unit, and for a value that is missing.
-void fillTrajectory(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings);
+/// BadInput for a column that is missing or has a wrong unit, and for a value that is missing. `raw`: of columns with
+/// counts.
+void fillTrajectory(const logs::Log& log, const Encodings& raw, LogEntry& entry, std::vector<std::string>& warnings);
 void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings);
 
 /// Fills warmth_c of all logs: temperature changes slowly, so smoothing resolves less than the register's 1 degC.

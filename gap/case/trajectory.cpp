@@ -12,6 +12,7 @@
 namespace darwinop::gap {
 namespace {
 
+constexpr const char* kEmpty = " is empty; leave the row out where it was not measured";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::array<std::string_view, 2> kAngles{"rad", "deg"};
@@ -53,6 +54,22 @@ const logs::Column* columnFor(const logs::Log& log, const Wanted& wanted) {
   return found;
 }
 
+/// Counts in SI units; NaN stays.
+void takeRaw(const logs::Log& log, const logs::Column& column, const Encodings& raw,
+             const std::vector<std::size_t>& rows, std::vector<double>& values) {
+  const auto found = raw.find(column.name);
+  if (found == raw.end())
+    throw BadInput(log.file + ": column " + logs::quoted(column.name) + " " + messages::kNoEncoding +
+                   "; declare it in `encodings` of the case, docs/gap/cases.md has the names");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double count = column.values[rows[i]];
+    values[i] = found->second->decode(count);
+    if (std::isnan(values[i]) && !std::isnan(count))
+      throw BadInput(log.file + ", line " + std::to_string(log.lines[rows[i]]) + ": " + column.name +
+                     messages::kNotCount);
+  }
+}
+
 double factorOf(const logs::Log& log, const logs::Column& column, const Wanted& wanted) {
   std::string allowed;
   for (const std::string_view unit : wanted.units) {
@@ -64,20 +81,36 @@ double factorOf(const logs::Log& log, const logs::Column& column, const Wanted& 
                  ", at the end of the name: " + std::string{wanted.usual});
 }
 
-void take(const logs::Log& log, const Wanted& wanted, const std::vector<std::size_t>& rows, Trajectory& into) {
+void take(const logs::Log& log, const Encodings& raw, const Wanted& wanted, const std::vector<std::size_t>& rows,
+          Trajectory& into) {
   std::vector<double>& values = into.*wanted.into;
   const logs::Column* column = columnFor(log, wanted);
   values.assign(rows.size(), kNone);
   if (column == nullptr) return;
+  if (column->name == std::string{wanted.name} + "_raw") {
+    takeRaw(log, *column, raw, rows, values);
+    for (std::size_t i = 0; i < rows.size() && wanted.into == &Trajectory::goal_rad; ++i)
+      if (std::isnan(values[i]))
+        throw BadInput(log.file + ", line " + std::to_string(log.lines[rows[i]]) + ": " + column->name + kEmpty);
+    return;
+  }
   const double factor = factorOf(log, *column, wanted);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double value = column->values[rows[i]];
     if (std::isinf(value) || (wanted.needed && std::isnan(value) && wanted.into != &Trajectory::position_rad))
       throw BadInput(log.file + ", line " + std::to_string(log.lines[rows[i]]) + ": " + column->name +
-                     (std::isnan(value) ? " is empty; leave the row out where it was not measured"
-                                        : " is infinite; leave the row out"));
+                     (std::isnan(value) ? kEmpty : " is infinite; leave the row out"));
     values[i] = value * factor;
   }
+}
+
+/// Other columns of that name are left out: nothing needs a current.
+void takeCurrent(const logs::Log& log, const Encodings& raw, const std::vector<std::size_t>& rows, Trajectory& into) {
+  into.current_a.assign(rows.size(), kNone);
+  if (const logs::Column* const counts = log.find("current_raw"); counts != nullptr && raw.contains(counts->name))
+    takeRaw(log, *counts, raw, rows, into.current_a);
+  if (const logs::Column* const amperes = log.find("current_A"))
+    for (std::size_t i = 0; i < rows.size(); ++i) into.current_a[i] = amperes->values[rows[i]];
 }
 
 void takeTorque(const logs::Log& log, const std::vector<std::size_t>& rows, Trajectory& into) {
@@ -93,7 +126,7 @@ void takeTorque(const logs::Log& log, const std::vector<std::size_t>& rows, Traj
   }
 }
 
-void fillFromPlain(const logs::Log& log, LogEntry& entry) {
+void fillFromPlain(const logs::Log& log, const Encodings& raw, LogEntry& entry) {
   if (entry.joint)
     throw BadInput(log.file +
                    ": a plain log is of one joint, and \"joint\" is for recordings of the runtime; take "
@@ -106,7 +139,8 @@ void fillFromPlain(const logs::Log& log, LogEntry& entry) {
     out.time_s.push_back(log.seconds(row));
     out.lines.push_back(log.lines[row]);
   }
-  for (const Wanted& wanted : kWanted) take(log, wanted, rows, out);
+  for (const Wanted& wanted : kWanted) take(log, raw, wanted, rows, out);
+  takeCurrent(log, raw, rows, out);
   takeTorque(log, rows, out);
   if (!entry.p_register)
     throw BadInput(log.file + ": " + messages::kNoPRegister + "; add \"kp\": 32, or its value, to the log");
@@ -115,11 +149,11 @@ void fillFromPlain(const logs::Log& log, LogEntry& entry) {
 
 }  // namespace
 
-void fillTrajectory(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings) {
+void fillTrajectory(const logs::Log& log, const Encodings& raw, LogEntry& entry, std::vector<std::string>& warnings) {
   if (log.recording)
     fillFromRecording(log, entry, warnings);
   else
-    fillFromPlain(log, entry);
+    fillFromPlain(log, raw, entry);
   entry.head.session_start_s = entry.session_start_s.value_or(0);
   for (double& goal : entry.head.goal_rad) goal -= entry.hangs_at_rad;
   for (double& position : entry.head.position_rad) position -= entry.hangs_at_rad;
