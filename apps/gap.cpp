@@ -98,7 +98,9 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   out(adds, "write the model to this file; default: the terminal");
   CLI::App* const makes =
       add("case", "recordings of experiments with one joint of the robot, as a case", gap::makeCase);
-  makes->add_option("RECORDINGS", given.recordings, "made by darwinop experiment run; to be fitted")->required();
+  makes->add_option("RECORDINGS", given.recordings, "made by darwinop experiment run; to be fitted");
+  makes->add_option("--from-bam", given.from_bam, "a folder with logs of BAM (JSON), in place of recordings");
+  makes->add_option("--to-bam", given.to_bam, "a case whose logs are written as logs of BAM");
   makes->add_option("--keep", given.held_out, "a recording that is held out from the fit; repeat for more");
   makes->add_option("--joint", given.joint, "the joint that moved")->capture_default_str();
   makes->add_option("--model", given.model, "a model file or the name of a shipped model; else darwin-op");

@@ -1,9 +1,15 @@
 // Recordings of the robot as a case.
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
+#include "gap/case/bam_log.hpp"
 #include "gap/case/robot/joint_case.hpp"
+#include "gap/case/write_case.hpp"
 #include "gap_commands.hpp"
 
 namespace darwinop::gap {
@@ -16,9 +22,36 @@ Joint jointCalled(const std::string& name) {
   return static_cast<Joint>(row - kJointTable.begin());
 }
 
+void writeText(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file{path, std::ios::binary};
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
+}
+
+int fromBam(const Arguments& given) {
+  const BamCase read = readBamFolder(given.from_bam, given.model.empty() ? "darwin-op" : given.model, given.held_out);
+  writeCase(read.given, given.out);
+  for (const std::string& note : read.notes) std::cout << note << '\n';
+  std::cerr << "darwinop gap: " << given.out << " is the case; next: darwinop gap run " << given.out << "\n";
+  return 0;
+}
+
+int toBam(const Arguments& given) {
+  const Case read = readCase(given.to_bam);
+  std::filesystem::create_directories(given.out);
+  for (const Trajectory& log : read.logs)
+    writeText(std::filesystem::path{given.out} / std::filesystem::path{log.file}.stem().concat(".json"),
+              asBamJson(read, log, read.model.name));
+  return 0;
+}
+
 }  // namespace
 
 int makeCase(const Arguments& given) {
+  if (!given.from_bam.empty()) return fromBam(given);
+  if (!given.to_bam.empty()) return toBam(given);
+  if (given.recordings.empty()) throw std::runtime_error("give recordings, or --from-bam FOLDER");
   JointCaseRequest request;
   if (!given.model.empty()) request.model = given.model;
   request.joint = jointCalled(given.joint);

@@ -35,6 +35,7 @@ struct Arguments {
   std::optional<double> hangs_at_rad;  // its angle where the arm hangs; nothing: as the robot's arms do
   std::string write;                   // folder for planned experiments
   std::vector<std::string> recordings, held_out;  // to make a case of
+  std::string from_bam, to_bam;                   // folder of BAM logs, or case to write as such
   double at_least = 0;                            // minimum share of fair answers
 };
 

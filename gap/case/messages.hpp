@@ -25,8 +25,15 @@ inline constexpr const char* kTwoModels = "and `baseline` are two models";
 inline constexpr const char* kUnknownKey = "is not known";
 inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
 
+// BAM
+inline constexpr const char* kNoBamLogs = "has no *.json; give the folder with the logs of BAM";
+inline constexpr const char* kNotBamRow = "has a row without timestamp or goal_position; is this a raw log of BAM?";
+inline constexpr const char* kSeveralMotors = "logs of several motors; put each into a folder of its own";
+
 // logs
 inline constexpr const char* kJointNotGiven = "a recording has twenty joints; give the joint of the log";
+inline constexpr const char* kLoadIsZero = "load is 0 in every row";
+inline constexpr const char* kLoadNotRecognized = " has a unit that was not recognized, and is left out";
 inline constexpr const char* kLoadHasOppositeSign = ", but the opposite sign, in ";
 inline constexpr const char* kMaskedHeat = "no servo warms or cools so fast";
 inline constexpr const char* kMaskedJump = "they jump and come back faster than servo and arm can";

@@ -1,0 +1,36 @@
+// Logs of the public project BAM (better actuator models, github.com/Rhoban/bam): one JSON file a log, with the bench
+// in the head and one object a row. Read into a log of a case, and written from one.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gap/case/case.hpp"
+
+namespace darwinop::gap {
+
+struct BamLog {
+  Trajectory log;
+  std::string motor;               // "mx106"
+  std::vector<std::string> notes;  // what was recognized in the file, and by what
+};
+
+/// Keys of the head: mass, arm_mass, length, kp, vin, motor, trajectory, entries; of an entry: timestamp,
+/// goal_position, torque_enable, position, and where they are there speed, load or torque, input_volts, temp, current.
+/// The unit of the load follows from the whole column. `name` of the log: the file without its ending. Throws BadInput.
+BamLog parseBamLog(std::string_view json, const std::string& file, const std::string& name);
+
+/// The same format; a value that is not known is left out.
+std::string asBamJson(const Case& c, const Trajectory& log, std::string_view motor);
+
+/// All *.json of a folder, by name, as a case whose servo is that of a model file, or of a shipped model's name. Held
+/// out are the logs named in `held_out`; without any, those of the greatest P gain, or the last quarter of one gain.
+/// Throws BadInput.
+struct BamCase {
+  Case given;
+  std::vector<std::string> notes;
+};
+BamCase readBamFolder(const std::string& folder, const std::string& model, const std::vector<std::string>& held_out);
+
+}  // namespace darwinop::gap
