@@ -8,9 +8,9 @@
 
 namespace darwinop::gap {
 
-/// Greatest share of the rows of a log in which a column may have no usable reading. With a tenth of the rows of all
-/// logs masked at random, a case names the same effect with the same number: docs/gap/cases.md has the figures. A
-/// servo that loses more has another fault, which the readings that are left may share.
+/// Greatest share of the rows of a log in which a column may have no usable reading, or a recording no answer. Bad rows
+/// of logs that other people share are some in a thousand; a servo that loses a tenth has another fault, which the
+/// readings that are left may share. How a fit degrades below that share is not measured.
 inline constexpr double kMostMasked = 0.1;
 
 /// Masks readings of position, speed, load, voltage and temperature. `file` is used in messages. Throws BadInput where

@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/units.hpp"
 #include "experiments/logs/read_log.hpp"
+#include "gap/case/bad_rows.hpp"
 #include "gap/case/data_check.hpp"
 #include "gap/case/write_case.hpp"
 #include "support/temporary_folder.hpp"
@@ -102,6 +104,26 @@ TEST(RealServo, IsReadAndItsLimitsAreReported) {
   EXPECT_THAT(check.warnings, testing::ElementsAre());
   EXPECT_THAT(hidden(check), testing::IsSupersetOf({"payloads", "temperature", "repeats", "held_out_load"}));
   EXPECT_THAT(hidden(check), testing::Not(testing::Contains("torque_off")));
+}
+
+TEST(RealServo, LoneFalseReadingsAreFoundAndNoOthers) {
+  if (!fs::exists(shared("real-servo"))) GTEST_SKIP() << "no logs in " << shared("real-servo");
+  Case c = readCase(shared("real-servo"));
+  EXPECT_THAT(contradictionsOf(c), testing::IsEmpty());
+  for (Trajectory& log : c.logs) {
+    ASSERT_TRUE(log.masked.empty()) << log.file;
+    std::size_t planted = 0;
+    for (std::size_t row = 7; row + 7 < log.rows(); row += 100, planted += 2) {
+      log.position_rad[row] = -kPi;  // a register that came back as 0
+      log.position_rad[row + 50 < log.rows() - 7 ? row + 50 : row - 3] += 0.1;
+      log.volt_v[row] = 0;
+    }
+    maskBadRows(log, log.file, c);
+    std::size_t positions = 0, volts = 0;
+    for (const MaskedReadings& masked : log.masked) (masked.column == "pos" ? positions : volts) += masked.rows;
+    EXPECT_EQ(positions, planted) << log.file;
+    EXPECT_EQ(volts, planted / 2) << log.file;
+  }
 }
 
 }  // namespace
