@@ -28,7 +28,7 @@ struct CsvColumn {
 constexpr CsvColumn kColumns[] = {
     {"pos_rad", &Trajectory::position_rad, 1}, {"speed_rad_s", &Trajectory::speed_rad_s, 1},
     {"load_pct", &Trajectory::load, 100},      {"volt_V", &Trajectory::volt_v, 1},
-    {"temp_C", &Trajectory::temp_c, 1},
+    {"temp_C", &Trajectory::temp_c, 1},        {"current_A", &Trajectory::current_a, 1},
 };
 
 void append(std::string& line, double value) {

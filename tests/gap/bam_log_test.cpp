@@ -26,7 +26,8 @@ std::string bamText(const std::function<std::string(int)>& load, const std::func
     entries += (i == 0 ? "" : ",") + std::string{"{\"timestamp\": "} + std::to_string(t) +
                ", \"goal_position\": " + std::to_string(0.5 * std::sin(3 * t)) +
                ", \"position\": " + std::to_string(0.5 * std::sin(3 * (t - 0.03))) + ", \"torque_enable\": true" +
-               ", \"load\": " + load(i) + ", \"torque\": " + torque(i) + ", \"input_volts\": 12.1, \"speed\": 0}";
+               ", \"load\": " + load(i) + ", \"torque\": " + torque(i) +
+               ", \"input_volts\": 12.1, \"current\": 0.5, \"speed\": 0}";
   }
   return "{\"mass\": 0.5, \"arm_mass\": 0.1, \"length\": 0.15, \"vin\": 12, \"trajectory\": \"sine\", " + head +
          ", \"entries\": [" + entries + "]}";
@@ -121,6 +122,7 @@ TEST(BamLog, AFolderBecomesACaseOfSeveralArms) {
   const Case back = readCase(out / "case");
   EXPECT_EQ(armOf(back, back.logs[0]).length_m, 0.15);
   EXPECT_EQ(armOf(back, back.logs[1]).length_m, 0.1);
+  EXPECT_EQ(back.logs[1].current_a[5], 0.5);
   EXPECT_EQ(back.goal_order, GoalOrder::kBeforeRead);
   EXPECT_TRUE(readBamFolder(folder / "", model, {"b.json"}).given.logs[1].held_out);
 }
