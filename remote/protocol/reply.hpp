@@ -26,8 +26,8 @@ struct ReplyExtension {
   std::uint32_t picture = 0;   // number of the newest picture; 0: none, or black
   std::uint32_t picture_age_us = 0;
   const Sensors* seen = nullptr;  // null: no robot is connected
-  /// Why the client must end; empty: it may go on. With sensors it may finish its last steps first; without, this is the
-  /// last reply.
+  /// Why the client must end; empty: it may go on. With sensors it may finish its last steps first; without, this is
+  /// the last reply.
   std::string_view why_ended{};
 };
 
