@@ -109,6 +109,7 @@ void bindCamera(py::module_& module) {
   reads(camera, "getWidth", &Camera::getWidth);
   reads(camera, "getHeight", &Camera::getHeight);
   reads(camera, "getType", &Camera::getType);
+  constants(camera, {{"WB_CAMERA_COLOR", Camera::WB_CAMERA_COLOR}});
   bindOptics(camera);
   camera.def("saveImage", &Camera::saveImage, py::arg("filename"), py::arg("quality"), kQuick);
   bindSimulatorOnly(camera);

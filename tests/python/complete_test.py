@@ -10,8 +10,8 @@ import managers
 SOURCE = pathlib.Path(__file__).parents[2]
 HEADERS = sorted((SOURCE / "webots/include/webots").rglob("*.hpp"))
 
-# Pointers to bytes: texts have wwiSendText(). Names of 2013: Keyboard has the codes, getType() the number.
-NOT_IN_PYTHON = re.compile(r"Robot\.(wwiSend|wwiReceive|KEYBOARD_\w+)|Camera\.WB_CAMERA_COLOR")
+# Pointers to bytes: texts have wwiSendText().
+NOT_IN_PYTHON = re.compile(r"Robot\.(wwiSend|wwiReceive)")
 
 
 def classes(headers):

@@ -1,6 +1,7 @@
 """Ctrl-C, and other ends of a Python controller: the robot is brought to rest by the same steps as after one in C++.
 Signals have the effect of the table in docs/threads.md."""
 
+import itertools
 import os
 import pathlib
 import re
@@ -10,7 +11,7 @@ import subprocess
 import sys
 import unittest
 
-from programs import BIN, Programs
+from programs import BIN, Programs, rows_of
 
 HEAD = "import sys, time\nfrom controller import Robot\nrobot = Robot()\nhead = robot.getDevice('Head')\n"
 
@@ -29,13 +30,14 @@ class Ends(Programs):
         return running
 
     def check_rest(self):
-        """The recording: goals were sent to every joint, and to none in the last cycle."""
-        with open(self.folder / "r.csv", encoding="utf-8") as recording:
-            rows = [line.rstrip("\n").split(",") for line in recording if not line.startswith("#")]
-        goals = [i for i, name in enumerate(rows[0]) if ".commanded" in name]
-        self.assertEqual(len(goals), 20)
-        self.assertTrue(all(rows[len(rows) // 2][i] for i in goals))
-        self.assertFalse(any(rows[-1][i] for i in goals))
+        """The recording: goals were sent to every joint, and to none in the last cycle. Returns them by cycle."""
+        names, rows = rows_of(self.folder / "r.csv")
+        columns = [i for i, name in enumerate(names) if ".commanded" in name]
+        self.assertEqual(len(columns), 20)
+        goals = [[row[i] for i in columns] for row in rows]
+        self.assertTrue(all(goals[len(goals) // 2]))
+        self.assertFalse(any(goals[-1]))
+        return goals
 
     def test_ctrl_c_ends_a_loop_that_looks_at_step_without_an_exception(self):
         running = self.start("print('ready')\nwhile robot.step(16) != -1:\n    pass\nprint('after the loop')\n")
@@ -73,6 +75,17 @@ class Ends(Programs):
             running.communicate(timeout=30)
             self.assertEqual(running.returncode, status)
             self.check_rest()
+
+    def test_a_walk_is_finished_before_the_robot_comes_to_rest(self):
+        running = self.start(
+            "from managers import RobotisOp2GaitManager\ngait = RobotisOp2GaitManager(robot, 'config.ini')\n"
+            "gait.setXAmplitude(1)\ngait.start()\nwalked = 0\n"
+            "while robot.step(16) != -1:\n    gait.step(16)\n    walked += 1\n    if walked == 150:\n        print('ready')\n")
+        running.send_signal(signal.SIGINT)
+        _, errors = running.communicate(timeout=30)
+        self.assertEqual(running.returncode, 0, errors)
+        held = [len(list(run)) for goals, run in itertools.groupby(self.check_rest()[150:]) if all(goals)]
+        self.assertGreaterEqual(sum(cycles >= 20 for cycles in held), 2, f"stands, then rests: {held}")
 
     def signals(self, pattern):
         """From docs/threads.md, which another test compares with hal/signals.hpp."""

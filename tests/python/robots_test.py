@@ -26,6 +26,8 @@ class OnEachRobot(Programs):
 
     def test_virtual(self):
         self.check_all("virtual")
+        output, _ = self.run_controller("finds_managers", robot="virtual")
+        self.assertIn("walks: True\n", output)
 
     @unittest.skipUnless("DARWINOP_WITH_TWIN" in os.environ, "no twin in this build")
     def test_twin(self):

@@ -1,5 +1,7 @@
 """The Webots API of a robot: from controller import Robot, Motor, Camera, Keyboard, ... (docs/python.md)."""
 
+import os as _os
+
 from _darwinop import *
 
 from .absent import *
@@ -9,3 +11,7 @@ from .robot import Robot
 from .supervisor import Supervisor
 
 _add_getters(Robot)
+for _name in filter(str.isupper, dir(Keyboard)):  # names of 2013
+    setattr(Robot, "KEYBOARD_" + _name, getattr(Keyboard, _name))
+# Public code looks for the managers below this folder first. They are beside this package.
+_os.environ.setdefault("WEBOTS_HOME", "/usr/local/webots")

@@ -27,7 +27,8 @@ class MyController(Robot):
             self.head.setPosition(0.2)
             self.servo.setPosition(-0.2)
             self.led.set(0x00FF00)
-            self.keyboardGetKey()
+            if self.keyboardGetKey() == Robot.KEYBOARD_UP:
+                break
         print("image:", self.camera.getImage())
         print("head:", abs(self.headSensor.getValue() - 0.2) < 0.05)
         print("up:", self.accelerometer.getValues()[2] > 600)
