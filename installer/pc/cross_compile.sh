@@ -19,7 +19,8 @@ refuse_python() { # DIR
     *)
       set -- "$1" "$1"/*.cpp "$1"/Makefile.darwin-op "$1"/*.py
       for file; do [ -f "$file" ] && break; done
-      script=${file:-}
+      [ -f "$file" ] || return 0
+      script=$file
       case $script in *.py) ;; *) return 0 ;; esac
       ;;
   esac
