@@ -79,7 +79,8 @@ class RunningWalk {
     ASSERT_TRUE(robot_->says("link:", std::chrono::seconds{20})) << robot_->output();
   }
   void startDaemon() {
-    daemon_ = start({program("darwinop-runtime"), "--robot", file("port"), "--record", recording()}, "daemon.txt");
+    daemon_ =
+        start({program("darwinop-runtime"), "--wait", "--robot", file("port"), "--record", recording()}, "daemon.txt");
     ASSERT_TRUE(daemon_->says("ready:", std::chrono::seconds{20})) << daemon_->output();
     observer_ = runtime::attachToDaemon(runtime::RuntimeFiles{file("runtime")});
   }
