@@ -59,6 +59,7 @@ class Naming {
     nameSilentServos();
     nameByKind();
     nameSwapped();
+    if (named_.empty() && firstReadLost()) name(BusFault::kFirstReadLost, {});
     std::ranges::stable_sort(named_, {}, &NamedFault::fault);
     return std::move(named_);
   }
@@ -137,7 +138,6 @@ class Naming {
     if (has(Kind::kCycleTooLong) && !isNamed(BusFault::kLatencyTimer) && !isNamed(BusFault::kUsbDelays) &&
         !has(Kind::kReturnDelay))
       name(BusFault::kCycleTooLong, {});
-    if (firstReadLost() && named_.empty()) name(BusFault::kFirstReadLost, {});
   }
 
   /// With other losses it was one of them.

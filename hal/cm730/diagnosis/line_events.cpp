@@ -91,8 +91,7 @@ bool isNoisy(const RobotFacts& facts) {
 
 std::string noiseText(const RobotFacts& facts) {
   char text[100];
-  std::snprintf(text, sizeof text, "%d replies were lost in %.0f bytes, in all chains", lostReplies(facts),
-                byteCount(facts));
+  std::snprintf(text, sizeof text, "%d replies were lost in %.0f bytes", lostReplies(facts), byteCount(facts));
   return text;
 }
 
