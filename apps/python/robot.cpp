@@ -1,4 +1,4 @@
-// Python class for webots::Robot; python/controller/robot.py completes it.
+// Python class for webots::Robot; apps/python/controller/robot.py completes it.
 #include <webots/Accelerometer.hpp>
 #include <webots/Camera.hpp>
 #include <webots/Gyro.hpp>

@@ -144,7 +144,7 @@ void bindScene(py::module_& module) {
   bindNode(module);
   bindField(module);
   const DeviceClass<webots::Proto> proto{module, "Proto"};
-  // For what is written in Python, in python/controller/.
+  // For what is written in Python, in apps/python/controller/.
   module.def("warn_of_supervisor_call", &warnOfCall, py::arg("call"));
   module.def("degrees_minutes_seconds", &webots::GPS::convertToDegreesMinutesSeconds, py::arg("decimalDegrees"));
 }

@@ -112,7 +112,9 @@ void TcpLink::reconnect() {
 
 void TcpLink::leaveHolding() {
   constexpr std::atomic<bool> kNeverStops{false};
-  (void)waitForCycle(shown_.cycle + 1, kNeverStops);  // one cycle, whether or not a reply arrives
+  // One cycle, whether or not a reply arrives. A request to end is reported once and must not hide the last commands.
+  const std::uint64_t next_cycle = shown_.cycle + 1;
+  if (!waitForCycle(next_cycle, kNeverStops)) (void)waitForCycle(next_cycle, kNeverStops);
   state_ = next(state_, TcpEvent::kLeaveHolding);
 }
 
