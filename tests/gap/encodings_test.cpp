@@ -39,7 +39,9 @@ TEST(Encodings, EveryCountGivesItsValueBack) {
     for (int counts = least; counts <= most; ++counts) {
       const double value = encoding.decode(registerOf(encoding.sign, counts));
       ASSERT_NEAR(value / encoding.scale + encoding.zero, counts, 1e-6) << encoding.name;
-      if (counts < 0) ASSERT_EQ(encoding.decode(counts), value) << encoding.name << ": the sign was applied before";
+      if (counts < 0) {
+        ASSERT_EQ(encoding.decode(counts), value) << encoding.name << ": the sign was applied before";
+      }
     }
   }
 }
