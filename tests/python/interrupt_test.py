@@ -80,11 +80,11 @@ class Ends(Programs):
         running = self.start(
             "from managers import RobotisOp2GaitManager\ngait = RobotisOp2GaitManager(robot, 'config.ini')\n"
             "gait.setXAmplitude(1)\ngait.start()\nwalked = 0\n"
-            "while robot.step(16) != -1:\n    gait.step(16)\n    walked += 1\n    if walked == 150:\n        print('ready')\n")
+            "while robot.step(16) != -1:\n    gait.step(16)\n    walked += 1\n    if walked == 400:\n        print('ready')\n")
         running.send_signal(signal.SIGINT)
         _, errors = running.communicate(timeout=30)
         self.assertEqual(running.returncode, 0, errors)
-        held = [len(list(run)) for goals, run in itertools.groupby(self.check_rest()[150:]) if all(goals)]
+        held = [len(list(run)) for goals, run in itertools.groupby(self.check_rest()[400:]) if all(goals)]
         self.assertGreaterEqual(sum(cycles >= 20 for cycles in held), 2, f"stands, then rests: {held}")
 
     def signals(self, pattern):
