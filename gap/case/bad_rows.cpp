@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <optional>
 
@@ -69,7 +70,9 @@ bool areFew(std::size_t some, std::size_t all) {
   return static_cast<double>(some) <= kMostMasked * static_cast<double>(all);
 }
 
-void mask(Trajectory& log, const ColumnBounds& of, const std::vector<std::size_t>& rows, std::string_view why) {
+/// Rows without a reading are left out: nothing is masked there.
+void mask(Trajectory& log, const ColumnBounds& of, std::vector<std::size_t> rows, std::string_view why) {
+  std::erase_if(rows, [&](std::size_t row) { return std::isnan((log.*of.values)[row]); });
   if (rows.empty()) return;
   for (const std::size_t row : rows) (log.*of.values)[row] = kMasked;
   log.masked.push_back({.column = of.column, .why = why, .rows = rows.size(), .first_line = log.lines[rows.front()]});
@@ -183,9 +186,7 @@ void maskStaleRows(Trajectory& log, const PhysicalLimits& limits) {
     from = to;
   }
   if (!areFew(stale.size(), log.rows())) return;
-  for (const ColumnBounds& of : kColumnBounds)
-    if (std::ranges::any_of(stale, [&](std::size_t row) { return !std::isnan((log.*of.values)[row]); }))
-      mask(log, of, stale, messages::kMaskedStale);
+  for (const ColumnBounds& of : kColumnBounds) mask(log, of, stale, messages::kMaskedStale);
 }
 
 void maskTemperatures(Trajectory& log, const PhysicalLimits& limits) {
@@ -219,6 +220,20 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
+/// Each check may mask few, and all of them together too many. Positions must be there; other columns may be sparse.
+void refuseManyMasked(const Trajectory& log, const std::string& file) {
+  for (const ColumnBounds& of : kColumnBounds) {
+    std::size_t rows = 0;
+    for (const MaskedReadings& masked : log.masked)
+      if (masked.column == of.column) rows += masked.rows;
+    if (!areFew(rows, log.rows()))
+      throw BadInput(file + ": " + std::string{of.column} + messages::kManyMasked + std::to_string(rows) + " of " +
+                     std::to_string(log.rows()) + " rows (" +
+                     sixDigits(std::round(1000 * static_cast<double>(rows) / static_cast<double>(log.rows())) / 10) +
+                     " %); check the cable and measure again");
+  }
+}
+
 }  // namespace
 
 void maskBadRows(Trajectory& log, const std::string& file, const Case& c) {
@@ -231,6 +246,7 @@ void maskBadRows(Trajectory& log, const std::string& file, const Case& c) {
   maskSpeeds(log, limits);
   maskVoltages(log, limits);
   maskTemperatures(log, limits);
+  refuseManyMasked(log, file);
 }
 
 std::string asSentence(const Trajectory& log, const MaskedReadings& masked) {

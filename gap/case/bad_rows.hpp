@@ -14,7 +14,8 @@ namespace darwinop::gap {
 inline constexpr double kMostMasked = 0.1;
 
 /// Masks readings of position, speed, load, voltage and temperature. `file` is used in messages. Throws BadInput where
-/// more than kMostMasked of a column is out of its physical range or not there although the log needs it.
+/// more than kMostMasked of a column is out of its physical range, masked by all checks together, or not there although
+/// the log needs it.
 void maskBadRows(Trajectory& log, const std::string& file, const Case& c);
 
 /// "fit_1.csv: 2 of 600 readings of pos are masked, the first in line 302: they jump and come back".

@@ -28,7 +28,7 @@ PhysicalLimits limitsOf(const Case& c, const Trajectory& log, double volt_v) {
   const double inertia = (arm.payload_kg + arm.arm_mass_kg / 3) * arm.length_m * arm.length_m + servo.armature_kgm2;
   const double fall_rad_s = 2 * std::sqrt(arm.gravity_m_s2 / arm.length_m);
   PhysicalLimits limits{
-      .speed_rad_s = kRoom * std::max(noLoadSpeed(c), fall_rad_s),
+      .speed_rad_s = kRoom * std::max(noLoadSpeed(c, log), fall_rad_s),
       .accel_rad_s2 = inertia > 0 ? kRoom * (stallTorque(servo, supplyOf(c, log)) + weight_nm) / inertia : kInfinity,
       .low_v = -kInfinity,
       .high_v = kInfinity,

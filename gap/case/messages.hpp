@@ -35,6 +35,7 @@ inline constexpr const char* kJointNotGiven = "a recording has twenty joints; gi
 inline constexpr const char* kLoadIsZero = "load is 0 in every row";
 inline constexpr const char* kLoadNotRecognized = " has a unit that was not recognized, and is left out";
 inline constexpr const char* kLoadHasOppositeSign = ", but the opposite sign, in ";
+inline constexpr const char* kManyMasked = " has no usable reading in ";
 inline constexpr const char* kMaskedHeat = "no servo warms or cools so fast";
 inline constexpr const char* kMaskedJump = "they jump and come back faster than servo and arm can";
 inline constexpr const char* kMaskedMissing = "they are empty";

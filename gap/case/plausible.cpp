@@ -54,6 +54,12 @@ void checkTime(const Trajectory& log, const std::string& file) {
   }
 }
 
+double noLoadSpeedAt(const Case& c, double supply_v) {
+  const twin::ServoParameters& servo = c.model.servo;
+  if (servo.law == twin::Law::kSpeedP) return servo.speed_max_rad_s;
+  return servo.duty_max * supply_v / servo.back_emf_vs_rad;
+}
+
 }  // namespace
 
 void checkRows(const Trajectory& log, const std::string& file) {
@@ -72,9 +78,11 @@ double periodOf(const Trajectory& log) {
 }
 
 double noLoadSpeed(const Case& c) {
-  const twin::ServoParameters& servo = c.model.servo;
-  if (servo.law == twin::Law::kSpeedP) return servo.speed_max_rad_s;
-  return servo.duty_max * servo.supply_v / servo.back_emf_vs_rad;
+  return noLoadSpeedAt(c, c.model.servo.supply_v);
+}
+
+double noLoadSpeed(const Case& c, const Trajectory& log) {
+  return noLoadSpeedAt(c, supplyOf(c, log));
 }
 
 }  // namespace darwinop::gap

@@ -20,8 +20,9 @@ std::vector<std::optional<std::size_t>> duplicates(const Case& c);
 
 /// Median time between rows.
 double periodOf(const Trajectory& log);
-/// Without load, by the model.
+/// In rad/s without load, by the model, at the supply of the case or of a log.
 double noLoadSpeed(const Case& c);
+double noLoadSpeed(const Case& c, const Trajectory& log);
 
 /// Throws BadInput for a load whose sign is the wrong way round.
 void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c);

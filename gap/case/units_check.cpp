@@ -1,6 +1,7 @@
 // Detects degrees in place of radians: too fast, on the wrong grid, inconsistent with the other columns.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "core/units.hpp"
@@ -34,7 +35,7 @@ std::size_t before(const Trajectory& log, std::size_t row, std::size_t from) {
 void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
   const twin::Pendulum arm = armOf(c, log);
   const double fall = 2 * std::sqrt(arm.gravity_m_s2 / arm.length_m);
-  const double most = std::max(kTooFast * noLoadSpeed(c), kFallShare * fall);
+  const double most = std::max(kTooFast * noLoadSpeed(c, log), kFallShare * fall);
   std::size_t from = 0;
   double reported = 0, moved = 0;
   for (std::size_t row = 1; row < log.rows(); ++row) {
@@ -46,8 +47,8 @@ void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
     const double speed = (log.position_rad[row] - log.position_rad[from]) / (log.time_s[row] - log.time_s[from]);
     if (std::abs(speed) > most)
       throw BadInput(file + ", line " + std::to_string(log.lines[row]) + ": pos moves at " + three(std::abs(speed)) +
-                     messages::kTooFastForServo + three(noLoadSpeed(c)) +
-                     "; if these are degrees, name the column pos_deg. many jumps are wrong readings: "
+                     messages::kTooFastForServo + three(noLoadSpeed(c, log)) +
+                     "; if these are degrees, name the column pos_deg. Many jumps are wrong readings: "
                      "check the cable and measure again");
     if (std::isnan(log.speed_rad_s[row]) || std::isnan(speed)) continue;
     reported += log.speed_rad_s[row] * log.speed_rad_s[row];

@@ -84,10 +84,12 @@ double betweenGroups(const std::vector<double>& y, const std::vector<int>& group
   return std::max(0.0, (between - (groups - 1) * within) / total);
 }
 
-/// State: position and speed. Clock: a third of the session, within one cell of the state.
+/// State: position and speed. Clock: a third of the session, within one cell of the state. Masked rows have no cell.
 void stateOrClock(const std::vector<StateSample>& samples, Dependence& out) {
+  const auto is_masked = [](const StateSample& sample) { return std::isnan(sample.state[kPositionState]); };
   std::vector<double> position, speed, session;
   for (const StateSample& sample : samples) {
+    if (is_masked(sample)) continue;
     position.push_back(sample.state[kPositionState]);
     speed.push_back(sample.state[kSpeedState]);
     session.push_back(sample.state[kSessionState]);
@@ -96,6 +98,7 @@ void stateOrClock(const std::vector<StateSample>& samples, Dependence& out) {
   std::vector<double> y[2];  // signed, and how large
   std::vector<int> cell, both;
   for (const StateSample& sample : samples) {
+    if (is_masked(sample)) continue;
     const std::size_t direction = sample.state[2] > 0 ? 2 : sample.state[2] < 0 ? 1 : 0;
     cell.push_back(static_cast<int>(
         (binOf(q, sample.state[kPositionState]) * 3 + binOf(w, sample.state[kSpeedState])) * 3 + direction));

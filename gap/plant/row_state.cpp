@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "gap/thresholds.hpp"
@@ -28,8 +29,10 @@ RowState stateAt(const Trajectory& log, std::size_t row) {
   return {about_rad + fit[0], fit[1] / half};
 }
 
-double lastReading(const Trajectory& log, const std::vector<double>& column, std::size_t row) {
-  while (row > 0 && std::isnan(column[row]) && !log.masked.empty()) --row;
+double lastReading(const Trajectory& log, const std::vector<double>& column, std::string_view name, std::size_t row) {
+  if (!std::isnan(column[row]) || std::ranges::find(log.masked, name, &MaskedReadings::column) == log.masked.end())
+    return column[row];
+  while (row > 0 && std::isnan(column[row])) --row;
   return column[row];
 }
 

@@ -1,6 +1,7 @@
 // The measured state of a joint at a row of a log.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "gap/case/case.hpp"
@@ -13,8 +14,9 @@ struct RowState {
 };
 RowState stateAt(const Trajectory& log, std::size_t row);
 
-/// Reading of one column of the log, or where it is masked the last before.
-double lastReading(const Trajectory& log, const std::vector<double>& column, std::size_t row);
+/// Reading of one column of the log; the last before where it is NaN and readings of `name` ("volt") are masked. A
+/// column of which nothing is masked is NaN where it was not read.
+double lastReading(const Trajectory& log, const std::vector<double>& column, std::string_view name, std::size_t row);
 
 /// Position of a row: measured, or where it is masked on a straight line between its neighbours.
 double knownPosition(const Trajectory& log, std::size_t row);

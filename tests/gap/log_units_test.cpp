@@ -32,6 +32,13 @@ TEST(LogUnits, QuickSmallMotionsInDegreesAreTooFast) {
               AllOf(StartsWith("my/fit_1.csv, line "), HasSubstr(messages::kTooFastForServo), HasSubstr("pos_deg")));
 }
 
+TEST(LogUnits, TooFastIsJudgedByTheSupplyOfTheLog) {
+  const CaseTexts at_12 = CaseTexts{}.with(inDegrees(sineRows(0.2, 1)));
+  EXPECT_THAT(at_12.error(), HasSubstr(messages::kTooFastForServo + std::string{"6.67"}));
+  EXPECT_THAT(at_12.with("\"payload_kg\": 0.3", "\"payload_kg\": 0.3, \"supply_V\": 24").error(),
+              HasSubstr(messages::kTooFastForServo + std::string{"13.3"}));
+}
+
 TEST(LogUnits, SlowSmallMotionsInDegreesHaveTheStepsOfDegrees) {
   EXPECT_EQ(CaseTexts{}.with(sineRows(0.05, 0.3)).error(), "");
   std::vector<CsvRow> rows = inDegrees(sineRows(0.05, 0.3));

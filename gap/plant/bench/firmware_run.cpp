@@ -32,7 +32,7 @@ std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t 
 }
 
 double temperatureOf(const Trajectory& log, std::size_t row) {
-  const double temperature = lastReading(log, log.temp_c, row);
+  const double temperature = lastReading(log, log.temp_c, "temp", row);
   return std::isnan(temperature) ? twin::kRoomC : temperature;
 }
 

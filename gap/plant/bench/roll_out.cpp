@@ -128,7 +128,7 @@ class Run {
   }
 
   [[nodiscard]] double temperatureAt(std::size_t row) const {
-    const double temperature = lastReading(log_, log_.warmth_c.empty() ? log_.temp_c : log_.warmth_c, row);
+    const double temperature = lastReading(log_, log_.warmth_c.empty() ? log_.temp_c : log_.warmth_c, "temp", row);
     return std::isnan(temperature) ? twin::kRoomC : temperature;
   }
 

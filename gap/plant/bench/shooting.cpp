@@ -103,8 +103,8 @@ class Shooter {
  private:
   /// Between the reads of two rows on a straight line.
   [[nodiscard]] double supplyAt(std::size_t period, std::size_t next_row) const {
-    const double before = lastReading(log_, log_.volt_v, next_row - 1),
-                 after = lastReading(log_, log_.volt_v, next_row);
+    const double before = lastReading(log_, log_.volt_v, "volt", next_row - 1),
+                 after = lastReading(log_, log_.volt_v, "volt", next_row);
     if (!options_.measured_supply || std::isnan(before) || std::isnan(after)) return nominal_v_;
     const std::size_t from = run_.last[next_row - 1], to = run_.last[next_row];
     return before + (after - before) * static_cast<double>(period - from) / static_cast<double>(to - from);
