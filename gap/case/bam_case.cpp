@@ -29,18 +29,25 @@ std::vector<fs::path> jsonFiles(const std::string& folder) {
   return found;
 }
 
+std::string stemOf(const std::string& file) {
+  return fs::path{file}.stem().string();
+}
+
 void holdOut(const std::vector<std::string>& names, BamCase& in) {
   std::vector<Trajectory>& logs = in.given.logs;
+  for (const std::string& name : names)
+    if (std::ranges::none_of(logs, [&](const Trajectory& log) { return stemOf(log.file) == stemOf(name); }))
+      throw BadInput("--keep " + name + messages::kNotLogOfFolder + in.given.folder);
   double greatest = 0, least = 1e9;
   for (const Trajectory& log : logs)
     greatest = std::max(greatest, log.p_register), least = std::min(least, log.p_register);
+  const std::size_t quarter = logs.size() < 2 ? 0 : (logs.size() + 3) / 4;  // a lone log is fitted
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    const std::string stem = fs::path{logs[i].file}.stem().string();
-    const bool named =
-        std::ranges::any_of(names, [&](const std::string& name) { return fs::path{name}.stem() == stem; });
+    const std::string stem = stemOf(logs[i].file);
+    const bool named = std::ranges::any_of(names, [&](const std::string& name) { return stemOf(name) == stem; });
     logs[i].held_out = !names.empty()     ? named
                        : greatest > least ? logs[i].p_register == greatest
-                                          : 4 * i >= 3 * logs.size();
+                                          : i + quarter >= logs.size();
   }
   const auto held = std::ranges::count_if(logs, &Trajectory::held_out);
   if (names.empty())

@@ -53,9 +53,10 @@ void takeLoad(std::vector<double> column, const char* key, BamLog& into) {
   }
   for (const LoadRule& rule : kLoadRules) {
     if (!rule.fits(most, least, whole)) continue;
-    // Duties of the X series are counts of 885.
+    // Duties of the X series are counts of 885, in two's complement.
     const bool x_series = !into.motor.empty() && (into.motor.front() == 'x' || into.motor.front() == 'X');
-    const char* const name = rule.encoding != nullptr && x_series ? "pwm_int16_885" : rule.encoding;
+    const bool duty = rule.encoding != nullptr && std::string_view{rule.encoding} == "load_int16" && x_series;
+    const char* const name = duty ? "pwm_int16_885" : rule.encoding;
     for (double& value : column) value = name == nullptr ? value * rule.scale : findEncoding(name)->decode(value);
     into.log.load = std::move(column);
     into.notes.push_back(into.log.file + ": " + key + " is read as load, " + rule.reason +
@@ -72,7 +73,7 @@ bool isAllZero(const std::vector<double>& column) {
 void takeRows(const Json& entries, const std::string& file, BamLog& into) {
   Trajectory& log = into.log;
   std::vector<double> load, torque;
-  std::size_t dropped = 0;
+  std::size_t dropped = 0, without_torque_enable = 0;
   for (const Json& entry : entries) {
     if (!entry.is_object()) throw BadInput(file + ": `entries` " + messages::kNotBamRow);
     const double time_s = valueOf(entry, "timestamp"), goal = valueOf(entry, "goal_position");
@@ -83,7 +84,9 @@ void takeRows(const Json& entries, const std::string& file, BamLog& into) {
     }
     log.time_s.push_back(time_s);
     log.goal_rad.push_back(goal);
-    log.torque_on.push_back(valueOf(entry, "torque_enable") == 0 ? 0 : 1);
+    const double torque_on = valueOf(entry, "torque_enable");
+    if (std::isnan(torque_on)) ++without_torque_enable;
+    log.torque_on.push_back(torque_on == 0 ? 0 : 1);
     log.position_rad.push_back(valueOf(entry, "position"));
     log.speed_rad_s.push_back(valueOf(entry, "speed"));
     log.volt_v.push_back(valueOf(entry, "input_volts"));
@@ -94,10 +97,15 @@ void takeRows(const Json& entries, const std::string& file, BamLog& into) {
     torque.push_back(valueOf(entry, "torque"));
   }
   log.load.assign(log.rows(), kNotThere);
+  const bool load_is_there = !std::ranges::all_of(load, [](double value) { return std::isnan(value); });
   if (!isAllZero(load))
     takeLoad(std::move(load), "load", into);
   else if (!isAllZero(torque))
     takeLoad(std::move(torque), "torque", into), into.notes.back() += "; " + std::string{messages::kLoadIsZero};
+  else if (load_is_there)
+    into.notes.push_back(log.file + ": " + messages::kLoadIsZero + ", and counts as not measured");
+  if (without_torque_enable > 0)
+    into.notes.push_back(log.file + ": " + std::to_string(without_torque_enable) + messages::kNoTorqueEnable);
   if (dropped > 0)
     into.notes.push_back(log.file + ": " + std::to_string(dropped) + " rows whose time does not increase are left out");
 }

@@ -27,7 +27,9 @@ inline constexpr const char* kUnknownParameter = "is not a parameter of an effec
 
 // BAM
 inline constexpr const char* kNoBamLogs = "has no *.json; give the folder with the logs of BAM";
+inline constexpr const char* kNoTorqueEnable = " rows have no torque_enable and count as torque on";
 inline constexpr const char* kNotBamRow = "has a row without timestamp or goal_position; is this a raw log of BAM?";
+inline constexpr const char* kNotLogOfFolder = " is none of the *.json of ";
 inline constexpr const char* kSeveralMotors = "logs of several motors; put each into a folder of its own";
 
 // logs

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <functional>
 
@@ -15,6 +17,7 @@
 namespace darwinop::gap {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A log of 200 rows; `load` and `torque` are texts of numbers by row.
@@ -76,6 +79,25 @@ TEST(BamLog, TheUnitOfALoadFollowsFromTheWholeColumn) {
   EXPECT_TRUE(std::isnan(load("200", "99999999")));
 }
 
+TEST(BamLog, OnlyTwosComplementIsTheDutyOfAnXSeries) {
+  const auto load = [](int i) { return std::to_string(i < 100 ? 250 : 1'274); };
+  const BamLog read = parseBamLog(bamText(load, zero, "\"kp\": 400, \"motor\": \"xl330\""), "a", "a");
+  EXPECT_NEAR(read.log.load[150], -0.25, 1e-12);
+}
+
+TEST(BamLog, WhatIsAssumedIsNoted) {
+  const auto notes = [](std::string text, const std::string& what, const std::string& by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what))
+      text.replace(at, what.size(), by);
+    return parseBamLog(text, "a.json", "a").notes;
+  };
+  const std::string text = bamText(zero, zero);
+  EXPECT_THAT(parseBamLog(text, "a.json", "a").notes, ElementsAre(HasSubstr(messages::kLoadIsZero)));
+  EXPECT_THAT(notes(text, "\"load\": 0, \"torque\": 0, ", ""), ElementsAre());
+  EXPECT_THAT(notes(text, "\"torque_enable\": true, ", ""),
+              ElementsAre(HasSubstr(messages::kLoadIsZero), HasSubstr("200" + std::string{messages::kNoTorqueEnable})));
+}
+
 TEST(BamLog, IsRefusedWithoutRowsOrCommands) {
   const auto error = [](const std::string& text) {
     try {
@@ -125,6 +147,33 @@ TEST(BamLog, AFolderBecomesACaseOfSeveralArms) {
   EXPECT_EQ(back.logs[1].current_a[5], 0.5);
   EXPECT_EQ(back.goal_order, GoalOrder::kBeforeRead);
   EXPECT_TRUE(readBamFolder(folder / "", model, {"b.json"}).given.logs[1].held_out);
+}
+
+TEST(BamLog, OfOneGainTheLastQuarterIsHeldOut) {
+  const TemporaryFolder folder, out;
+  const std::string model = out / "model.ini";
+  write(model, "[model]\nname = any\n");
+  std::vector<long> held;
+  for (const char* const name : {"a.json", "b.json", "c.json", "d.json", "e.json"}) {
+    write(folder / name, bamText(zero, zero));
+    const BamCase read = readBamFolder(folder / "", model, {});
+    held.push_back(std::ranges::count_if(read.given.logs, &Trajectory::held_out));
+  }
+  EXPECT_THAT(held, ElementsAre(0, 1, 1, 1, 2)) << "a lone log is fitted";
+}
+
+TEST(BamLog, AHeldOutLogThatIsNotThereIsRefused) {
+  const TemporaryFolder folder, out;
+  const std::string model = out / "model.ini";
+  write(model, "[model]\nname = any\n");
+  write(folder / "a.json", bamText(zero, zero));
+  write(folder / "b.json", bamText(zero, zero));
+  try {
+    (void)readBamFolder(folder / "", model, {"a.json", "chirp.json"});
+    ADD_FAILURE();
+  } catch (const BadInput& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("chirp.json" + std::string{messages::kNotLogOfFolder}));
+  }
 }
 
 }  // namespace
