@@ -57,9 +57,9 @@ TEST(EntryPoints, EveryRoomIsSearched) {
 
 TEST(EntryPoints, NothingWritesToASerialLineButWhatHasJudgedTheRobot) {
   EXPECT_EQ(filesWith({"#include \"hal/cm730/serial_port.hpp\"", "#include \"hal/cm730/serial_open.hpp\""}),
-            (Files{"apps/doctor.cpp", "connect/serial_bus.cpp", "hal/cm730/diagnosis/port_check.cpp",
-                   "hal/cm730/diagnosis/port_check.hpp", "hal/cm730/serial_errors.cpp", "hal/cm730/serial_open.cpp",
-                   "hal/cm730/serial_port.cpp"}));
+            (Files{"apps/doctor.cpp", "connect/serial_bus.cpp", "hal/cm730/diagnosis/fault_naming.cpp",
+                   "hal/cm730/diagnosis/port_check.cpp", "hal/cm730/diagnosis/port_check.hpp",
+                   "hal/cm730/serial_errors.cpp", "hal/cm730/serial_open.cpp", "hal/cm730/serial_port.cpp"}));
   EXPECT_EQ(filesWith({"#include \"hal/cm730/bus.hpp\""}),
             (Files{"connect/owned_bus.hpp", "hal/cm730/bus.cpp", "hal/cm730/diagnosis/diagnosis.cpp"}));
   EXPECT_EQ(filesWith({"writeRegisters(", "encodeWrite(", "SyncWriteEncoder"}),
