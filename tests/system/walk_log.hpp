@@ -22,7 +22,7 @@ class WalkLog {
         if (!first_) first_ = row;
         last_ = row;
       }
-    if (!first_) throw std::runtime_error("nobody drove the robot of " + file);
+    if (!first_) throw std::runtime_error("no controller drove the robot of " + file);
     stood_since_ = last_;
     while (stood_since_ > *first_ && stands(stood_since_ - 1)) --stood_since_;
   }

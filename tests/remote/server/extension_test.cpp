@@ -165,7 +165,7 @@ TEST(RemoteExtension, AClientMayFinishItsStepsWhenTheRobotEnds) {
   ExtendedClient next{served};
   const auto refused = next.ask(extendedRequest());
   ASSERT_TRUE(refused);
-  EXPECT_EQ(refused->extension->seen, nullptr) << "nobody starts now";
+  EXPECT_EQ(refused->extension->seen, nullptr) << "no session starts any more";
   EXPECT_EQ(refused->extension->why_ended, "the runtime ends");
   EXPECT_TRUE(next.shownOut());
 }

@@ -255,7 +255,8 @@ class Robot {
   //
   //     virtual LED* createLED(const std::string& name) const { return new BlinkingLed(name); }  // class of LED
   //
-  // The getter of the same name calls it once per name, and the robot deletes what it returned.
+  // The getter of the same name calls it once per name, and the robot deletes what it returned; for a device that the
+  // robot lacks, at each call, and the controller deletes it.
 
   /// As getAccelerometer(); a new one at each call, where overridden.
   virtual Accelerometer* createAccelerometer(const std::string& name) const;
