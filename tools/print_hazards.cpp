@@ -1,15 +1,13 @@
 // Prints docs/hazards.md from the hazard table and the results of its tests.
 //
-//   print_hazards --programs               test programs that the table names, and the filter of each
-//   print_hazards RESULTS                  the page; RESULTS holds PROGRAM.json of each program (--gtest_output)
+//   print_hazards --tests       CTest names of the tests that the table names: that of the program, and its own
+//   print_hazards <RESULTS      the page; RESULTS are lines of tools/print_test_results.py
 //
 // Exit code 1 with one line for each test of the table that does not exist, failed or was skipped, and for each row
 // that neither has a measured time nor says why not.
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -38,36 +36,19 @@ std::vector<TestId> testsOf(const Hazard& hazard) {
   return tests;
 }
 
-std::map<std::string, std::string> filters() {
-  std::map<std::string, std::string> filters;
-  for (const Hazard& hazard : kHazards)
-    for (const TestId& test : testsOf(hazard)) {
-      std::string& filter = filters[test.program];
-      filter += (filter.empty() ? "" : ":") + test.name;
-    }
-  return filters;
-}
-
 struct Outcome {
   bool passed = false, skipped = false;
   std::string cycles;  // empty: the test measures none
 };
 
 /// Of each test that ran, by "program:Suite.Test".
-std::map<std::string, Outcome> readOutcomes(const std::string& folder) {
+std::map<std::string, Outcome> readOutcomes(std::istream& results) {
   std::map<std::string, Outcome> outcomes;
-  for (const auto& [program, filter] : filters()) {
-    std::ifstream file{folder + "/" + program + ".json"};
-    if (!file) throw std::runtime_error("cannot read " + folder + "/" + program + ".json; run tools/check_hazards.sh");
-    const nlohmann::json results = nlohmann::json::parse(file);
-    for (const auto& suite : results.at("testsuites"))
-      for (const auto& test : suite.at("testsuite")) {
-        const std::string name = suite.at("name").get<std::string>() + "." + test.at("name").get<std::string>();
-        Outcome& outcome = outcomes[program + ":" + name];
-        outcome.skipped = test.at("result") == "SKIPPED";
-        outcome.passed = test.at("result") == "COMPLETED" && !test.contains("failures");
-        outcome.cycles = test.value("cycles", "");
-      }
+  for (std::string line; std::getline(results, line);) {
+    std::istringstream fields{line};
+    std::string program, name, result, cycles;
+    fields >> program >> name >> result >> cycles;  // without a measured time, cycles stays empty
+    outcomes[program + ":" + name] = {result == "passed", result == "skipped", cycles};
   }
   return outcomes;
 }
@@ -121,7 +102,7 @@ void print(std::ostream& out, const std::map<std::string, Outcome>& outcomes) {
   out << "# Hazards\n\n"
          "What can hurt a person or damage the robot, what must hold all the same, and the tests that show it. Made "
          "by\n"
-         "`./dev docs` from `tests/hazards/hazard_table.hpp`; `./dev test docs` runs every test named here.\n\n"
+         "`./dev docs` from `tests/hazards/hazard_table.hpp`; `./dev test asan` runs every test named here.\n\n"
          "Time: measured on the virtual robot from the cause to the reaction, at 16 ms a cycle; the longest of "
          "a row.\n"
          "`always`: the cause has no effect in any cycle. `start-up`, `process`, `signal`, `access`: outside of the "
@@ -139,12 +120,13 @@ void print(std::ostream& out, const std::map<std::string, Outcome>& outcomes) {
 }
 
 int run(const std::vector<std::string>& arguments) {
-  if (arguments == std::vector<std::string>{"--programs"}) {
-    for (const auto& [program, filter] : filters()) std::cout << program << ' ' << filter << '\n';
+  if (arguments == std::vector<std::string>{"--tests"}) {
+    for (const Hazard& hazard : kHazards)
+      for (const TestId& test : testsOf(hazard)) std::cout << test.program << '\n' << test.name << '\n';
     return 0;
   }
-  if (arguments.size() != 1) throw std::runtime_error("give --programs or RESULTS");
-  const auto outcomes = readOutcomes(arguments.front());
+  if (!arguments.empty()) throw std::runtime_error("give --tests, or results on standard input");
+  const auto outcomes = readOutcomes(std::cin);
   if (!complete(outcomes)) return 1;
   print(std::cout, outcomes);
   return 0;

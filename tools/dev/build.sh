@@ -63,11 +63,3 @@ sources() {
     if [ -e "$file" ]; then echo "$file"; fi
   done
 }
-
-# Programs whose tests the hazard table names: build_hazard_tests PRESET
-build_hazard_tests() {
-  local tests
-  build "$1" print_hazards
-  mapfile -t tests < <("build/$1/bin/print_hazards" --programs | cut -d ' ' -f 1)
-  build "$1" "${tests[@]}"
-}

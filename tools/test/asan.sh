@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Fast and slow tests and the stored inputs of the fuzzers, under address and undefined-behaviour sanitizers.
+# Fast and slow tests and the stored inputs of the fuzzers, under address and undefined-behaviour sanitizers; then the page
+# of hazards, which names those tests.
 # builds: asan-ubsan all fuzzers
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
@@ -7,4 +8,6 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 no_aslr
 builds
+rm -rf build/asan-ubsan/results
 run_tests asan -j "$places"
+tools/pages.sh check build/asan-ubsan docs/hazards.md

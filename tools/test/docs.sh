@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Links, commands and tables of the documentation; the tests that the hazard table names.
+# Links, commands and tables of the documentation.
 # computes only
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
@@ -9,5 +9,4 @@ no_aslr
 tools/check_docs.sh
 mapfile -t programs < <(tools/pages.sh programs --fast)
 build asan-ubsan "${programs[@]}"
-build_hazard_tests asan-ubsan
 tools/pages.sh check build/asan-ubsan --fast
