@@ -25,6 +25,7 @@ sub read_file {
 # Names of the arguments of a declaration.
 sub arguments {
   my ($list) = @_;
+  $list =~ s{/\*|\*/}{}g;  # names of arguments that are not used
   $list =~ s/\s*=\s*(?:"[^"]*"|[^,]+)//g;
   return join ', ', map { /(\w+)\s*(?:\[\d*\])?\s*$/ ? $1 : () } grep { !/^\s*(?:void)?\s*$/ } split /,/, $list;
 }

@@ -1,4 +1,5 @@
-// Devices of the simulator that this robot does not have: what Robot, Camera, Joystick and Mouse return instead.
+// Devices of the simulator that this robot does not have: what the classes of absent_devices.hpp, Robot, Camera,
+// Joystick and Mouse return instead.
 #include <cstdio>
 #include <limits>
 
@@ -10,23 +11,24 @@
 #include "webots/messages.hpp"
 #include "webots/notices.hpp"
 
+namespace darwinop::webots_api {
+
+double absentNumber() {
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+const double* absentNumbers() {
+  static constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double kNumbers[] = {kNan, kNan, kNan, kNan};
+  return kNumbers;
+}
+
+}  // namespace darwinop::webots_api
+
 namespace webots {
 
-using darwinop::webots_api::warnNoDevice;
 using darwinop::webots_api::warnOnce;
 namespace messages = darwinop::webots_api::messages;
-
-#define DARWINOP_GETTER(CLASS)                              \
-  CLASS* Robot::get##CLASS(const std::string& name) const { \
-    CLASS* const made = create##CLASS(name);                \
-    if (made == nullptr) warnNoDevice("get" #CLASS, name);  \
-    return made;                                            \
-  }                                                         \
-  CLASS* Robot::create##CLASS(const std::string&) const {   \
-    return nullptr;                                         \
-  }
-DARWINOP_ABSENT_DEVICES(DARWINOP_GETTER)
-#undef DARWINOP_GETTER
 
 Joystick* Robot::getJoystick() const {
   static Joystick joystick;
@@ -68,7 +70,7 @@ void Mouse::disable() {
 }
 
 MouseState Mouse::getState() const {
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double unknown = darwinop::webots_api::absentNumber();
   return {false, false, false, unknown, unknown, unknown, unknown, unknown};
 }
 

@@ -4,13 +4,31 @@
 #include <cstdlib>
 
 #include "webots/Accelerometer.hpp"
+#include "webots/Altimeter.hpp"
+#include "webots/Brake.hpp"
 #include "webots/Camera.hpp"
+#include "webots/Compass.hpp"
+#include "webots/Connector.hpp"
+#include "webots/Display.hpp"
+#include "webots/DistanceSensor.hpp"
+#include "webots/Emitter.hpp"
+#include "webots/GPS.hpp"
 #include "webots/Gyro.hpp"
+#include "webots/InertialUnit.hpp"
 #include "webots/LED.hpp"
+#include "webots/Lidar.hpp"
+#include "webots/LightSensor.hpp"
+#include "webots/Node.hpp"
+#include "webots/Pen.hpp"
 #include "webots/PositionSensor.hpp"
+#include "webots/Radar.hpp"
+#include "webots/RangeFinder.hpp"
+#include "webots/Receiver.hpp"
 #include "webots/Servo.hpp"
+#include "webots/Skin.hpp"
 #include "webots/Speaker.hpp"
 #include "webots/TouchSensor.hpp"
+#include "webots/VacuumGripper.hpp"
 #include "webots/messages.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
@@ -21,18 +39,28 @@ namespace webots {
 namespace webots_api = darwinop::webots_api;
 
 namespace {
+/// `LED("EyeLed")`, as a controller has written it.
+std::string call(const std::string& name, const char* type) {
+  return std::string{type} + "(\"" + name + "\")";
+}
+
+/// The robot that a device made by name belongs to; ends the program without one.
+webots_api::RobotImpl& robotOf(const std::string& name, const char* type) {
+  if (webots_api::RobotImpl* const robot = webots_api::currentRobot()) return *robot;
+  webots_api::logLine(call(name, type) + webots_api::messages::kNoRobotYet);
+  std::exit(EXIT_FAILURE);
+}
+
 /// The robot's own object for a device that a controller makes by name; ends the program without one.
 template <class T>
 const T* ofTheRobot(const std::string& name, const char* type) {
-  const webots_api::RobotImpl* const robot = webots_api::currentRobot();
-  if (const auto* device = robot != nullptr ? dynamic_cast<const T*>(robot->find(name)) : nullptr) return device;
-  webots_api::logLine(std::string{type} + "(\"" + name + "\")" +
-                      (robot != nullptr ? webots_api::messages::kNoDeviceToMake : webots_api::messages::kNoRobotYet));
+  if (const auto* device = dynamic_cast<const T*>(robotOf(name, type).find(name))) return device;
+  webots_api::logLine(call(name, type) + webots_api::messages::kNoDeviceToMake);
   std::exit(EXIT_FAILURE);
 }
 }  // namespace
 
-// The getter returns what the maker returned first; by default that is the robot's own object.
+// The getter returns what the maker returned first; by default that is the robot's own object, or NULL if it has none.
 #define DARWINOP_DEVICE(CLASS)                                           \
   CLASS* Robot::get##CLASS(const std::string& name) const {              \
     auto*& made = impl_->made("get" #CLASS, name);                       \
@@ -53,6 +81,7 @@ DARWINOP_DEVICE(PositionSensor)
 DARWINOP_DEVICE(Servo)
 DARWINOP_DEVICE(Speaker)
 DARWINOP_DEVICE(TouchSensor)
+DARWINOP_ABSENT_DEVICES(DARWINOP_DEVICE)
 #undef DARWINOP_DEVICE
 
 Device* Robot::getDevice(const std::string& name) const {
@@ -80,6 +109,12 @@ Device::Device(const Device* of_the_robot)
       node_type_(of_the_robot->node_type_),
       tag_(of_the_robot->tag_) {
   robot_.addSecond(this);
+}
+
+Device::Device(const std::string& name, const char* type)
+    : robot_(robotOf(name, type)), name_(name), node_type_(Node::NO_NODE), tag_(0) {
+  robot_.addSecond(this);
+  webots_api::warnOnce(call(name, type) + webots_api::messages::kAbsentDevice);
 }
 
 Device::~Device() {

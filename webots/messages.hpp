@@ -8,6 +8,9 @@ inline constexpr const char* kAskedToEnd = "asked to end before the robot was re
 
 // After the call that asked for a device which this robot does not have.
 inline constexpr const char* kNoSuchDevice = ": this robot has no such device; it returns NULL";
+// After a device that a controller makes by name, of a class that this robot has no device of.
+inline constexpr const char* kAbsentDevice =
+    ": this robot has no such device; its calls have no effect, its values are NaN or NULL, its counts 0";
 // After a device that a controller makes by name.
 inline constexpr const char* kNoDeviceToMake =
     ": this robot has no such device; make one of a name that getDevice() finds";

@@ -79,10 +79,10 @@ TEST_F(AbsentDevicesTest, OnTheVirtualRobotEveryMemberIsUsedTwiceAndNoLineIsRepe
   std::istringstream log{testing::internal::GetCapturedStderr()};
   std::map<std::string, int> times;
   for (std::string text; std::getline(log, text);) ++times[text];
-#define ROW(CLASS)                                                \
-  EXPECT_TRUE(std::ranges::any_of(times, [](const auto& row) {    \
-    return row.first.find("get" #CLASS "(") != std::string::npos; \
-  })) << #CLASS;
+  const auto is_logged = [&times](const std::string& call) {
+    return std::ranges::any_of(times, [&](const auto& row) { return row.first.find(call) != std::string::npos; });
+  };
+#define ROW(CLASS) EXPECT_TRUE(is_logged("get" #CLASS "(") && is_logged(" " #CLASS "(\"own\")")) << #CLASS;
   DARWINOP_ABSENT_DEVICES(ROW)
 #undef ROW
   for (const auto& [text, count] : times) EXPECT_EQ(count, 1) << text;

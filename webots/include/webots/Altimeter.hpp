@@ -6,11 +6,13 @@
 
 namespace webots {
 
-/// No object exists here: Robot::getAltimeter() returns NULL.
+/// Robot::getAltimeter() returns NULL; an object that a controller makes has no device: see Device.
 class Altimeter : public AbsentSensor {
  public:
-  /// Altitude in m above the world's origin.
-  virtual double getValue() const = 0;
+  /// An object without a device, for Robot::createAltimeter() and a class of your own; logs one warning. See Device.
+  explicit Altimeter(const std::string& name) : AbsentSensor(name, "Altimeter") {}
+  /// Absent here: NaN. Simulator: altitude in m above the world's origin.
+  double getValue() const { return darwinop::webots_api::absentNumber(); }
 };
 
 }  // namespace webots

@@ -6,15 +6,19 @@
 
 namespace webots {
 
-/// No object exists here: Robot::getCompass() returns NULL. Integrate the gyroscope for a heading.
+/// Robot::getCompass() returns NULL; an object that a controller makes has no device: see Device. Integrate the
+/// gyroscope for a heading.
 class Compass : public AbsentSensor {
  public:
-  /// Direction of north in the axes X, Y, Z of the sensor: three components of a unit vector, -1 to 1.
-  virtual const double* getValues() const = 0;
-  /// Number of rows of getLookupTable().
-  virtual int getLookupTableSize() const = 0;
-  /// Rows of three numbers: component -1 to 1, returned value, noise.
-  virtual const double* getLookupTable() const = 0;
+  /// An object without a device, for Robot::createCompass() and a class of your own; logs one warning. See Device.
+  explicit Compass(const std::string& name) : AbsentSensor(name, "Compass") {}
+  /// Absent here: NaN. Simulator: direction of north in the axes X, Y, Z of the sensor: three components of a unit
+  /// vector, -1 to 1.
+  const double* getValues() const { return darwinop::webots_api::absentNumbers(); }
+  /// Absent here: 0. Simulator: Number of rows of getLookupTable().
+  int getLookupTableSize() const { return 0; }
+  /// Absent here: NULL. Simulator: rows of three numbers, component -1 to 1, returned value, noise.
+  const double* getLookupTable() const { return 0; }
 };
 
 }  // namespace webots

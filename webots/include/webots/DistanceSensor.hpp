@@ -6,26 +6,29 @@
 
 namespace webots {
 
-/// No object exists here: Robot::getDistanceSensor() returns NULL.
+/// Robot::getDistanceSensor() returns NULL; an object that a controller makes has no device: see Device.
 class DistanceSensor : public AbsentSensor {
  public:
   /// Kind of sensor.
   enum Type { GENERIC = 0, INFRA_RED = 1, SONAR = 2, LASER = 3 };
 
-  /// Value of the lookup table for the measured distance; m if it has none.
-  virtual double getValue() const = 0;
-  /// Kind of sensor.
-  virtual Type getType() const = 0;
-  /// Largest value of the lookup table; as getValue().
-  virtual double getMaxValue() const = 0;
-  /// Smallest value of the lookup table; as getValue().
-  virtual double getMinValue() const = 0;
-  /// Width of the beam in rad.
-  virtual double getAperture() const = 0;
-  /// Number of rows of getLookupTable().
-  virtual int getLookupTableSize() const = 0;
-  /// Rows of three numbers: distance in m, returned value, noise.
-  virtual const double* getLookupTable() const = 0;
+  /// An object without a device, for Robot::createDistanceSensor() and a class of your own; logs one warning. See
+  /// Device.
+  explicit DistanceSensor(const std::string& name) : AbsentSensor(name, "DistanceSensor") {}
+  /// Absent here: NaN. Simulator: value of the lookup table for the measured distance; m if it has none.
+  double getValue() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: GENERIC. Simulator: kind of sensor.
+  Type getType() const { return GENERIC; }
+  /// Absent here: NaN. Simulator: largest value of the lookup table; as getValue().
+  double getMaxValue() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: smallest value of the lookup table; as getValue().
+  double getMinValue() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: width of the beam in rad.
+  double getAperture() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: 0. Simulator: Number of rows of getLookupTable().
+  int getLookupTableSize() const { return 0; }
+  /// Absent here: NULL. Simulator: rows of three numbers, distance in m, returned value, noise.
+  const double* getLookupTable() const { return 0; }
 };
 
 }  // namespace webots

@@ -6,19 +6,22 @@
 
 namespace webots {
 
-/// No object exists here: Robot::getInertialUnit() returns NULL. Use Accelerometer and Gyro.
+/// Robot::getInertialUnit() returns NULL; an object that a controller makes has no device: see Device. Use
+/// Accelerometer and Gyro.
 class InertialUnit : public AbsentSensor {
  public:
-  /// Roll, pitch and yaw in rad.
-  virtual const double* getRollPitchYaw() const = 0;
-  /// Attitude as a quaternion x, y, z, w; each -1 to 1.
-  virtual const double* getQuaternion() const = 0;
-  /// Standard deviation of the noise in rad.
-  virtual double getNoise() const = 0;
-  /// Number of rows of getLookupTable(). Until 2020.
-  virtual int getLookupTableSize() const = 0;
-  /// Rows of three numbers: angle in rad, returned value, noise. Until 2020.
-  virtual const double* getLookupTable() const = 0;
+  /// An object without a device, for Robot::createInertialUnit() and a class of your own; logs one warning. See Device.
+  explicit InertialUnit(const std::string& name) : AbsentSensor(name, "InertialUnit") {}
+  /// Absent here: NaN. Simulator: roll, pitch and yaw in rad.
+  const double* getRollPitchYaw() const { return darwinop::webots_api::absentNumbers(); }
+  /// Absent here: NaN. Simulator: attitude as a quaternion x, y, z, w; each -1 to 1.
+  const double* getQuaternion() const { return darwinop::webots_api::absentNumbers(); }
+  /// Absent here: NaN. Simulator: standard deviation of the noise in rad.
+  double getNoise() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: 0. Simulator: Number of rows of getLookupTable(). Until 2020.
+  int getLookupTableSize() const { return 0; }
+  /// Absent here: NULL. Simulator: rows of three numbers, angle in rad, returned value, noise. Until 2020.
+  const double* getLookupTable() const { return 0; }
 };
 
 }  // namespace webots

@@ -13,45 +13,47 @@ struct LidarPoint {
   float time;  // s
 };
 
-/// No object exists here: Robot::getLidar() returns NULL.
+/// Robot::getLidar() returns NULL; an object that a controller makes has no device: see Device.
 class Lidar : public AbsentSensor {
  public:
-  /// Starts computing points.
-  virtual void enablePointCloud() = 0;
-  /// Ends computing points.
-  virtual void disablePointCloud() = 0;
-  /// Whether points are computed.
-  virtual bool isPointCloudEnabled() const = 0;
-  /// Distances in m, layer by layer.
-  virtual const float* getRangeImage() const = 0;
-  /// Distances of a layer in m; `layer` 0 to getNumberOfLayers() - 1.
-  virtual const float* getLayerRangeImage(int layer) const = 0;
-  /// Points in m, layer by layer.
-  virtual const LidarPoint* getPointCloud() const = 0;
-  /// Points of a layer in m; `layer` 0 to getNumberOfLayers() - 1.
-  virtual const LidarPoint* getLayerPointCloud(int layer) const = 0;
-  /// Number of points.
-  virtual int getNumberOfPoints() const = 0;
-  /// Number of points per layer.
-  virtual int getHorizontalResolution() const = 0;
-  /// Number of layers.
-  virtual int getNumberOfLayers() const = 0;
-  /// Hz.
-  virtual double getMinFrequency() const = 0;
-  /// Hz.
-  virtual double getMaxFrequency() const = 0;
-  /// Scans per s, in Hz.
-  virtual double getFrequency() const = 0;
-  /// Scans per s, in Hz.
-  virtual void setFrequency(double frequency) = 0;
-  /// Horizontal field of view in rad.
-  virtual double getFov() const = 0;
-  /// Vertical field of view in rad.
-  virtual double getVerticalFov() const = 0;
-  /// m.
-  virtual double getMinRange() const = 0;
-  /// m.
-  virtual double getMaxRange() const = 0;
+  /// An object without a device, for Robot::createLidar() and a class of your own; logs one warning. See Device.
+  explicit Lidar(const std::string& name) : AbsentSensor(name, "Lidar") {}
+  /// Absent here: no effect. Simulator: starts computing points.
+  virtual void enablePointCloud() {}
+  /// Absent here: no effect. Simulator: ends computing points.
+  virtual void disablePointCloud() {}
+  /// Absent here: false. Simulator: whether points are computed.
+  bool isPointCloudEnabled() const { return false; }
+  /// Absent here: NULL. Simulator: distances in m, layer by layer.
+  const float* getRangeImage() const { return 0; }
+  /// Absent here: NULL. Simulator: distances of a layer in m; `layer` 0 to getNumberOfLayers() - 1.
+  const float* getLayerRangeImage(int /*layer*/) const { return 0; }
+  /// Absent here: NULL. Simulator: points in m, layer by layer.
+  const LidarPoint* getPointCloud() const { return 0; }
+  /// Absent here: NULL. Simulator: points of a layer in m; `layer` 0 to getNumberOfLayers() - 1.
+  const LidarPoint* getLayerPointCloud(int /*layer*/) const { return 0; }
+  /// Absent here: 0. Simulator: Number of points.
+  int getNumberOfPoints() const { return 0; }
+  /// Absent here: 0. Simulator: Number of points per layer.
+  int getHorizontalResolution() const { return 0; }
+  /// Absent here: 0. Simulator: Number of layers.
+  int getNumberOfLayers() const { return 0; }
+  /// Absent here: NaN. Simulator: Hz.
+  double getMinFrequency() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: Hz.
+  double getMaxFrequency() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: scans per s, in Hz.
+  double getFrequency() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: no effect. Simulator: scans per s, in Hz.
+  virtual void setFrequency(double /*frequency*/) {}
+  /// Absent here: NaN. Simulator: horizontal field of view in rad.
+  double getFov() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: vertical field of view in rad.
+  double getVerticalFov() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: m.
+  double getMinRange() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: m.
+  double getMaxRange() const { return darwinop::webots_api::absentNumber(); }
 };
 
 }  // namespace webots

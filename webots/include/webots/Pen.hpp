@@ -6,13 +6,15 @@
 
 namespace webots {
 
-/// No object exists here: Robot::getPen() returns NULL.
+/// Robot::getPen() returns NULL; an object that a controller makes has no device: see Device.
 class Pen : public Device {
  public:
-  /// Whether the pen touches the floor.
-  virtual void write(bool write) = 0;
-  /// `color` 0 to 0xFFFFFF, 0xRRGGBB; `density` 0 to 1.
-  virtual void setInkColor(int color, double density) = 0;
+  /// An object without a device, for Robot::createPen() and a class of your own; logs one warning. See Device.
+  explicit Pen(const std::string& name) : Device(name, "Pen") {}
+  /// Absent here: no effect. Simulator: whether the pen touches the floor.
+  virtual void write(bool /*write*/) {}
+  /// Absent here: no effect. Simulator: `color` 0 to 0xFFFFFF, 0xRRGGBB; `density` 0 to 1.
+  virtual void setInkColor(int /*color*/, double /*density*/) {}
 };
 
 }  // namespace webots

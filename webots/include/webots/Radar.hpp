@@ -14,21 +14,23 @@ struct RadarTarget {
   double azimuth;         // rad
 };
 
-/// No object exists here: Robot::getRadar() returns NULL.
+/// Robot::getRadar() returns NULL; an object that a controller makes has no device: see Device.
 class Radar : public AbsentSensor {
  public:
-  /// m.
-  virtual double getMinRange() const = 0;
-  /// m.
-  virtual double getMaxRange() const = 0;
-  /// Horizontal field of view in rad.
-  virtual double getHorizontalFov() const = 0;
-  /// Vertical field of view in rad.
-  virtual double getVerticalFov() const = 0;
-  /// Number of getTargets().
-  virtual int getNumberOfTargets() const = 0;
-  /// Targets in view; m, m/s and rad.
-  virtual const RadarTarget* getTargets() const = 0;
+  /// An object without a device, for Robot::createRadar() and a class of your own; logs one warning. See Device.
+  explicit Radar(const std::string& name) : AbsentSensor(name, "Radar") {}
+  /// Absent here: NaN. Simulator: m.
+  double getMinRange() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: m.
+  double getMaxRange() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: horizontal field of view in rad.
+  double getHorizontalFov() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: vertical field of view in rad.
+  double getVerticalFov() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: 0. Simulator: Number of getTargets().
+  int getNumberOfTargets() const { return 0; }
+  /// Absent here: NULL. Simulator: targets in view; m, m/s and rad.
+  const RadarTarget* getTargets() const { return 0; }
 };
 
 }  // namespace webots

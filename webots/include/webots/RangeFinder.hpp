@@ -6,25 +6,30 @@
 
 namespace webots {
 
-/// No object exists here: Robot::getRangeFinder() returns NULL.
+/// Robot::getRangeFinder() returns NULL; an object that a controller makes has no device: see Device.
 class RangeFinder : public AbsentSensor {
  public:
-  /// Distances in m, getWidth() x getHeight(), rows from top to bottom.
-  virtual const float* getRangeImage() const = 0;
-  /// Pixels.
-  virtual int getWidth() const = 0;
-  /// Pixels.
-  virtual int getHeight() const = 0;
-  /// Horizontal field of view in rad.
-  virtual double getFov() const = 0;
-  /// m.
-  virtual double getMinRange() const = 0;
-  /// m.
-  virtual double getMaxRange() const = 0;
-  /// Writes the image to a file; `quality` 1 to 100. 0: written; -1: error.
-  virtual int saveImage(const std::string& filename, int quality) const = 0;
-  /// Distance in m of pixel x, y of an image that is `width` pixels wide. No range check. Works here.
-  static float rangeImageGetDepth(const float* image, int width, int x, int y) { return image[y * width + x]; }
+  /// An object without a device, for Robot::createRangeFinder() and a class of your own; logs one warning. See Device.
+  explicit RangeFinder(const std::string& name) : AbsentSensor(name, "RangeFinder") {}
+  /// Absent here: NULL. Simulator: distances in m, getWidth() x getHeight(), rows from top to bottom.
+  const float* getRangeImage() const { return 0; }
+  /// Absent here: 0. Simulator: pixels.
+  int getWidth() const { return 0; }
+  /// Absent here: 0. Simulator: pixels.
+  int getHeight() const { return 0; }
+  /// Absent here: NaN. Simulator: horizontal field of view in rad.
+  double getFov() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: m.
+  double getMinRange() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: NaN. Simulator: m.
+  double getMaxRange() const { return darwinop::webots_api::absentNumber(); }
+  /// Absent here: writes no file and returns -1. Simulator: `quality` is 1 to 100; 0: written, -1: error.
+  int saveImage(const std::string& /*filename*/, int /*quality*/) const { return -1; }
+  /// Distance in m of pixel x, y of an image that is `width` pixels wide; NaN without an image. No range check. Works
+  /// here.
+  static float rangeImageGetDepth(const float* image, int width, int x, int y) {
+    return image == 0 ? static_cast<float>(darwinop::webots_api::absentNumber()) : image[y * width + x];
+  }
 };
 
 }  // namespace webots

@@ -174,7 +174,7 @@ class Robot {
 
   // Devices of the simulator that this robot does not have: getAltimeter(name), getBrake(name) and so on for each row
   // of absent_devices.hpp. Absent here: NULL, and one warning for each name, as in simulation on a robot without the
-  // device.
+  // device; or what the maker of the same device returns.
 #define DARWINOP_GETTER(CLASS) CLASS* get##CLASS(const std::string& name) const;
   DARWINOP_ABSENT_DEVICES(DARWINOP_GETTER)
 #undef DARWINOP_GETTER
@@ -255,8 +255,8 @@ class Robot {
   //
   //     virtual LED* createLED(const std::string& name) const { return new BlinkingLed(name); }  // class of LED
   //
-  // The getter of the same name calls it once per name, and the robot deletes what it returned; for a device that the
-  // robot lacks, at each call, and the controller deletes it.
+  // The getter of the same name calls it once per name, at each call while it returns NULL, and the robot deletes what
+  // it returned.
 
   /// As getAccelerometer(); a new one at each call, where overridden.
   virtual Accelerometer* createAccelerometer(const std::string& name) const;

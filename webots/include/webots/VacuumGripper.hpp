@@ -6,23 +6,29 @@
 
 namespace webots {
 
-/// No object exists here: Robot::getVacuumGripper() returns NULL.
+/// Robot::getVacuumGripper() returns NULL; an object that a controller makes has no device: see Device.
 class VacuumGripper : public Device {
  public:
-  /// Starts detecting objects every `sampling_period` ms.
-  virtual void enablePresence(int sampling_period) = 0;
-  /// Ends detecting objects.
-  virtual void disablePresence() = 0;
+  /// An object without a device, for Robot::createVacuumGripper() and a class of your own; logs one warning. See
+  /// Device.
+  explicit VacuumGripper(const std::string& name) : Device(name, "VacuumGripper"), presence_period_(0) {}
+  /// Absent here: stores `sampling_period` in ms.
+  virtual void enablePresence(int sampling_period) { presence_period_ = sampling_period; }
+  /// Absent here: sets the sampling period to 0.
+  virtual void disablePresence() { presence_period_ = 0; }
   /// ms as set last; 0: disabled.
-  virtual int getPresenceSamplingPeriod() const = 0;
-  /// Whether an object is held.
-  virtual bool getPresence() const = 0;
-  /// Whether turnOn() was called last.
-  virtual bool isOn() const = 0;
-  /// Grips.
-  virtual void turnOn() = 0;
-  /// Releases.
-  virtual void turnOff() = 0;
+  int getPresenceSamplingPeriod() const { return presence_period_; }
+  /// Absent here: false. Simulator: whether an object is held.
+  bool getPresence() const { return false; }
+  /// Absent here: false. Simulator: whether turnOn() was called last.
+  bool isOn() const { return false; }
+  /// Absent here: no effect. Simulator: grips.
+  virtual void turnOn() {}
+  /// Absent here: no effect. Simulator: releases.
+  virtual void turnOff() {}
+
+ private:
+  int presence_period_;
 };
 
 }  // namespace webots

@@ -4,8 +4,9 @@
 
 #include <webots/Device.hpp>
 
-// One row per class with a getter Robot::getCLASS(name). A new row needs the header webots/CLASS.hpp, an abstract
-// class: no object of it exists, so there is nothing to implement, and a controller that uses one compiles and links.
+// One row per class with a getter Robot::getCLASS(name). A new row needs the header webots/CLASS.hpp, whose methods
+// return what means absent: numbers NaN, pointers NULL, counts and lists of nothing 0. As in the simulator, only what
+// is not const is virtual: a class of a controller's own may have another getValues().
 #define DARWINOP_ABSENT_DEVICES(ROW) \
   ROW(Altimeter)                     \
   ROW(Brake)                         \
@@ -25,17 +26,36 @@
   ROW(Skin)                          \
   ROW(VacuumGripper)
 
+namespace darwinop {
+namespace webots_api {
+
+/// NaN: what an absent device measures.
+double absentNumber();
+
+/// Four of them, for vectors and rotations. Valid for ever.
+const double* absentNumbers();
+
+}  // namespace webots_api
+}  // namespace darwinop
+
 namespace webots {
 
-/// Calls that all sensors of the simulator have. No object exists here: Robot's getters return NULL.
+/// Calls that all sensors of the simulator have.
 class AbsentSensor : public Device {
  public:
-  /// Starts measuring every `sampling_period` ms.
-  virtual void enable(int sampling_period) = 0;
-  /// Ends measuring.
-  virtual void disable() = 0;
+  /// Absent here: stores `sampling_period` in ms.
+  virtual void enable(int sampling_period) { period_ = sampling_period; }
+  /// Absent here: sets the sampling period to 0.
+  virtual void disable() { period_ = 0; }
   /// ms as set last; 0: disabled.
-  virtual int getSamplingPeriod() const = 0;
+  int getSamplingPeriod() const { return period_; }
+
+ protected:
+  /// As Device.
+  AbsentSensor(const std::string& name, const char* type) : Device(name, type), period_(0) {}
+
+ private:
+  int period_;
 };
 
 }  // namespace webots

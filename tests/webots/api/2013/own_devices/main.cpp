@@ -3,6 +3,9 @@
 
 #include <webots/Accelerometer.hpp>
 #include <webots/Camera.hpp>
+#include <webots/Compass.hpp>
+#include <webots/Emitter.hpp>
+#include <webots/GPS.hpp>
 #include <webots/Gyro.hpp>
 #include <webots/LED.hpp>
 #include <webots/PositionSensor.hpp>
@@ -33,15 +36,35 @@ class Lamp : public LED {
     void blink() { set(get() == 0 ? 0xFF0000 : 0); }
 };
 
+// Of devices that the robot lacks.
+class North : public Compass {
+  public:
+    North(const string &name) : Compass(name) {}
+    bool isKnown() const { return getValues()[0] == getValues()[0]; }
+};
+
+class Place : public GPS {
+  public:
+    Place(const string &name) : GPS(name) {}
+    string getValues() const { return GPS::getValues()[0] < 1 ? "here" : "nowhere"; }
+};
+
 class OwnDevices : public Robot {
   public:
     OwnDevices() {
       mNeck = dynamic_cast<Joint *>(getServo("Neck"));
       mLamp = static_cast<Lamp *>(getLED("HeadLed"));
       mHead = new Joint("Head");
-      mCompass = getCompass("compass");
+      mNorth = dynamic_cast<North *>(getCompass("compass"));
+      mNorth->enable(getBasicTimeStep());
+      mEmitter = new Emitter("emitter");
+      mPlace = new Place("gps");
     }
-    virtual ~OwnDevices() { delete mHead; }
+    virtual ~OwnDevices() {
+      delete mHead;
+      delete mEmitter;
+      delete mPlace;
+    }
     void run() {
       Accelerometer accelerometer("Accelerometer");
       Gyro gyro("Gyro");
@@ -51,6 +74,8 @@ class OwnDevices : public Robot {
       Speaker speaker("Speaker");
       const double *values = gyro.getValues();
       while (step(getBasicTimeStep()) != -1) {
+        if (mNorth->isKnown() || mPlace->getValues() == "here" || mEmitter->send("text", 5) == 1)
+          exit(EXIT_FAILURE);
         mLamp->blink();
         mNeck->moveTo(0.2);
         mHead->moveTo(values[0] > 0 && accelerometer.getValues()[2] > 0 && button.getValue() == 0 ? 0.1 : position.getValue());
@@ -61,12 +86,14 @@ class OwnDevices : public Robot {
     virtual Servo *createServo(const string &name) const { return new Joint(name); }
     virtual LED *createLED(const string &name) const { return new Lamp(name); }
     virtual Camera *createCamera(const string &name) const { return Robot::createCamera(name); }
-    virtual Compass *createCompass(const string &) const { return NULL; }
+    virtual Compass *createCompass(const string &name) const { return new North(name); }
 
   private:
     Joint *mNeck, *mHead;
     Lamp *mLamp;
-    Compass *mCompass;
+    North *mNorth;
+    Emitter *mEmitter;
+    Place *mPlace;
 };
 
 int main() {

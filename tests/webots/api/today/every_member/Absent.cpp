@@ -1,4 +1,4 @@
-// Devices of other robots: each is used if it exists.
+// Devices of other robots: each is used if it exists, and so is an object of a class of the controller's own.
 #include "EveryMember.hpp"
 
 #include <webots/Altimeter.hpp>
@@ -24,127 +24,139 @@
 using namespace webots;
 using namespace std;
 
-template<class T> static bool started(T *sensor) {
-  if (sensor == NULL)
-    return false;
+template<class T> static void sample(T *sensor) {
   sensor->enable(16);
   sensor->getSamplingPeriod();
   sensor->disable();
-  return true;
 }
 
-void useAbsentSensors(Robot *robot) {
-  Altimeter *altimeter = robot->getAltimeter("altimeter");
-  if (started(altimeter))
-    altimeter->getValue();
+static void use(Altimeter *altimeter) {
+  sample(altimeter);
+  altimeter->getValue();
+}
 
-  Compass *compass = robot->getCompass("compass");
-  if (started(compass)) {
-    compass->getValues();
-    compass->getLookupTableSize();
-    compass->getLookupTable();
-  }
+static void use(Compass *compass) {
+  sample(compass);
+  compass->getValues();
+  compass->getLookupTableSize();
+  compass->getLookupTable();
+}
 
-  DistanceSensor *distance = robot->getDistanceSensor("ds0");
-  if (started(distance)) {
-    distance->getValue();
-    distance->getMaxValue();
-    distance->getMinValue();
-    distance->getAperture();
-    distance->getLookupTableSize();
-    distance->getLookupTable();
-    const DistanceSensor::Type type = distance->getType();
-    if (type == DistanceSensor::GENERIC || type == DistanceSensor::INFRA_RED || type == DistanceSensor::SONAR ||
-        type == DistanceSensor::LASER)
+static void use(DistanceSensor *distance) {
+  sample(distance);
+  distance->getValue();
+  distance->getMaxValue();
+  distance->getMinValue();
+  distance->getAperture();
+  distance->getLookupTableSize();
+  distance->getLookupTable();
+  const DistanceSensor::Type type = distance->getType();
+  if (type == DistanceSensor::GENERIC || type == DistanceSensor::INFRA_RED || type == DistanceSensor::SONAR ||
+      type == DistanceSensor::LASER)
+    return;
+}
+
+static void use(GPS *gps) {
+  sample(gps);
+  gps->getValues();
+  gps->getSpeed();
+  gps->getSpeedVector();
+  if (gps->getCoordinateSystem() == GPS::WGS84 || gps->getCoordinateSystem() == GPS::LOCAL)
+    return;
+}
+
+static void use(InertialUnit *unit) {
+  sample(unit);
+  unit->getRollPitchYaw();
+  unit->getQuaternion();
+  unit->getNoise();
+  unit->getLookupTableSize();
+  unit->getLookupTable();
+}
+
+static void use(Lidar *lidar) {
+  sample(lidar);
+  lidar->enablePointCloud();
+  lidar->isPointCloudEnabled();
+  lidar->getRangeImage();
+  lidar->getLayerRangeImage(0);
+  const LidarPoint *points = lidar->getPointCloud();
+  const LidarPoint *layer = lidar->getLayerPointCloud(0);
+  if (lidar->getNumberOfPoints() > 0 && points[0].x + points[0].y + points[0].z + points[0].time > layer[0].layer_id)
+    return;
+  lidar->getHorizontalResolution();
+  lidar->getNumberOfLayers();
+  lidar->getMinFrequency();
+  lidar->getMaxFrequency();
+  lidar->setFrequency(lidar->getFrequency());
+  lidar->getFov();
+  lidar->getVerticalFov();
+  lidar->getMinRange();
+  lidar->getMaxRange();
+  lidar->disablePointCloud();
+}
+
+static void use(LightSensor *light) {
+  sample(light);
+  light->getValue();
+  light->getLookupTableSize();
+  light->getLookupTable();
+}
+
+static void use(Radar *radar) {
+  sample(radar);
+  radar->getMinRange();
+  radar->getMaxRange();
+  radar->getHorizontalFov();
+  radar->getVerticalFov();
+  const RadarTarget *targets = radar->getTargets();
+  for (int i = 0; i < radar->getNumberOfTargets(); ++i)
+    if (targets[i].distance + targets[i].received_power + targets[i].speed + targets[i].azimuth < 0)
       return;
-  }
+}
 
-  GPS *gps = robot->getGPS("gps");
-  if (started(gps)) {
-    gps->getValues();
-    gps->getSpeed();
-    gps->getSpeedVector();
-    if (gps->getCoordinateSystem() == GPS::WGS84 || gps->getCoordinateSystem() == GPS::LOCAL)
-      return;
-  }
-  const string angle = GPS::convertToDegreesMinutesSeconds(12.5);
+static void use(RangeFinder *finder) {
+  sample(finder);
+  const float *image = finder->getRangeImage();
+  RangeFinder::rangeImageGetDepth(image, finder->getWidth(), 0, finder->getHeight() - 1);
+  finder->getFov();
+  finder->getMinRange();
+  finder->getMaxRange();
+  finder->saveImage("depth.png", 100);
+}
 
-  InertialUnit *unit = robot->getInertialUnit("inertial unit");
-  if (started(unit)) {
-    unit->getRollPitchYaw();
-    unit->getQuaternion();
-    unit->getNoise();
-    unit->getLookupTableSize();
-    unit->getLookupTable();
-  }
-
-  Lidar *lidar = robot->getLidar("lidar");
-  if (started(lidar)) {
-    lidar->enablePointCloud();
-    lidar->isPointCloudEnabled();
-    lidar->getRangeImage();
-    lidar->getLayerRangeImage(0);
-    const LidarPoint *points = lidar->getPointCloud();
-    const LidarPoint *layer = lidar->getLayerPointCloud(0);
-    if (points[0].x + points[0].y + points[0].z + points[0].time > layer[0].layer_id)
-      return;
-    lidar->getNumberOfPoints();
-    lidar->getHorizontalResolution();
-    lidar->getNumberOfLayers();
-    lidar->getMinFrequency();
-    lidar->getMaxFrequency();
-    lidar->setFrequency(lidar->getFrequency());
-    lidar->getFov();
-    lidar->getVerticalFov();
-    lidar->getMinRange();
-    lidar->getMaxRange();
-    lidar->disablePointCloud();
-  }
-
-  LightSensor *light = robot->getLightSensor("light");
-  if (started(light)) {
-    light->getValue();
-    light->getLookupTableSize();
-    light->getLookupTable();
-  }
-
-  Radar *radar = robot->getRadar("radar");
-  if (started(radar)) {
-    radar->getMinRange();
-    radar->getMaxRange();
-    radar->getHorizontalFov();
-    radar->getVerticalFov();
-    const RadarTarget *targets = radar->getTargets();
-    for (int i = 0; i < radar->getNumberOfTargets(); ++i)
-      if (targets[i].distance + targets[i].received_power + targets[i].speed + targets[i].azimuth < 0)
-        return;
-  }
-
-  RangeFinder *finder = robot->getRangeFinder("range-finder");
-  if (started(finder)) {
-    const float *image = finder->getRangeImage();
-    RangeFinder::rangeImageGetDepth(image, finder->getWidth(), 0, finder->getHeight() - 1);
-    finder->getFov();
-    finder->getMinRange();
-    finder->getMaxRange();
-    finder->saveImage("depth.png", 100);
-  }
-
-  Receiver *receiver = robot->getReceiver("receiver");
-  if (started(receiver)) {
-    receiver->setChannel(Receiver::CHANNEL_BROADCAST);
-    receiver->getChannel();
-    while (receiver->getQueueLength() > 0) {
-      receiver->getData();
-      receiver->getDataSize();
-      receiver->getSignalStrength();
-      receiver->getEmitterDirection();
-      receiver->nextPacket();
-    }
+static void use(Receiver *receiver) {
+  sample(receiver);
+  receiver->setChannel(Receiver::CHANNEL_BROADCAST);
+  receiver->getChannel();
+  while (receiver->getQueueLength() > 0) {
+    receiver->getData();
+    receiver->getDataSize();
+    receiver->getSignalStrength();
+    receiver->getEmitterDirection();
+    receiver->nextPacket();
   }
 }
 
-static void draw(Display *display) {
+static void use(Brake *brake) {
+  brake->setDampingConstant(1);
+  brake->getMotor();
+  brake->getPositionSensor();
+  if (brake->getType() == Brake::ROTATIONAL || brake->getType() == Brake::LINEAR)
+    return;
+}
+
+static void use(Connector *connector) {
+  connector->enablePresence(16);
+  connector->getPresenceSamplingPeriod();
+  connector->getPresence();
+  connector->lock();
+  connector->isLocked();
+  connector->unlock();
+  connector->disablePresence();
+}
+
+static void use(Display *display) {
   const int x[] = {0, 1, 2}, y[] = {0, 2, 1};
   display->getWidth();
   display->getHeight();
@@ -172,63 +184,75 @@ static void draw(Display *display) {
   display->detachCamera();
 }
 
-void useAbsentActuators(Robot *robot) {
-  Brake *brake = robot->getBrake("brake");
-  if (brake != NULL) {
-    brake->setDampingConstant(1);
-    if (brake->getType() == Brake::ROTATIONAL || brake->getType() == Brake::LINEAR)
-      return;
-    brake->getMotor();
-    brake->getPositionSensor();
-  }
+static void use(Emitter *emitter) {
+  emitter->setChannel(Emitter::CHANNEL_BROADCAST);
+  emitter->getChannel();
+  emitter->setRange(-1);
+  emitter->getRange();
+  emitter->getBufferSize();
+  if (emitter->send("text", 5) == 0)
+    return;
+}
 
-  Connector *connector = robot->getConnector("connector");
-  if (connector != NULL) {
-    connector->enablePresence(16);
-    connector->getPresenceSamplingPeriod();
-    connector->getPresence();
-    connector->lock();
-    connector->isLocked();
-    connector->unlock();
-    connector->disablePresence();
-  }
+static void use(Pen *pen) {
+  pen->write(true);
+  pen->setInkColor(0xFF0000, 0.5);
+}
 
-  Display *display = robot->getDisplay("display");
-  if (display != NULL)
-    draw(display);
-
-  Emitter *emitter = robot->getEmitter("emitter");
-  if (emitter != NULL) {
-    emitter->setChannel(Emitter::CHANNEL_BROADCAST);
-    emitter->getChannel();
-    emitter->setRange(-1);
-    emitter->getRange();
-    emitter->getBufferSize();
-    if (emitter->send("text", 5) == 0)
-      return;
-  }
-
-  Pen *pen = robot->getPen("pen");
-  if (pen != NULL) {
-    pen->write(true);
-    pen->setInkColor(0xFF0000, 0.5);
-  }
-
-  Skin *skin = robot->getSkin("skin");
-  if (skin != NULL && skin->getBoneCount() > 0) {
+static void use(Skin *skin) {
+  if (skin->getBoneCount() > 0) {
     skin->getBoneName(0);
     skin->setBoneOrientation(0, skin->getBoneOrientation(0, true), true);
     skin->setBonePosition(0, skin->getBonePosition(0, false), false);
   }
+}
 
-  VacuumGripper *gripper = robot->getVacuumGripper("gripper");
-  if (gripper != NULL) {
-    gripper->enablePresence(16);
-    gripper->getPresenceSamplingPeriod();
-    gripper->getPresence();
-    gripper->turnOn();
-    gripper->isOn();
-    gripper->turnOff();
-    gripper->disablePresence();
-  }
+static void use(VacuumGripper *gripper) {
+  gripper->enablePresence(16);
+  gripper->getPresenceSamplingPeriod();
+  gripper->getPresence();
+  gripper->turnOn();
+  gripper->isOn();
+  gripper->turnOff();
+  gripper->disablePresence();
+}
+
+// getValues() of the simulator is not virtual: a class may have another one.
+template<class T> class Own : public T {
+  public:
+    Own(const string &name) : T(name) {}
+    string getValues() const { return T::getName(); }
+};
+
+template<class T> static void useBoth(T *ofTheRobot) {
+  if (ofTheRobot != NULL)
+    use(ofTheRobot);
+  Own<T> *own = new Own<T>("own");
+  use(own);
+  if (own->getValues() == "own")
+    delete own;
+}
+
+void useAbsentSensors(Robot *robot) {
+  useBoth(robot->getAltimeter("altimeter"));
+  useBoth(robot->getCompass("compass"));
+  useBoth(robot->getDistanceSensor("ds0"));
+  useBoth(robot->getGPS("gps"));
+  useBoth(robot->getInertialUnit("inertial unit"));
+  useBoth(robot->getLidar("lidar"));
+  useBoth(robot->getLightSensor("light"));
+  useBoth(robot->getRadar("radar"));
+  useBoth(robot->getRangeFinder("range-finder"));
+  useBoth(robot->getReceiver("receiver"));
+  const string angle = GPS::convertToDegreesMinutesSeconds(12.5);
+}
+
+void useAbsentActuators(Robot *robot) {
+  useBoth(robot->getBrake("brake"));
+  useBoth(robot->getConnector("connector"));
+  useBoth(robot->getDisplay("display"));
+  useBoth(robot->getEmitter("emitter"));
+  useBoth(robot->getPen("pen"));
+  useBoth(robot->getSkin("skin"));
+  useBoth(robot->getVacuumGripper("gripper"));
 }
