@@ -31,6 +31,12 @@ void bindThreeAxes(py::module_& module, const char* name) {
   reads(sensor, "getLookupTableSize", &Sensor::getLookupTableSize);
 }
 
+/// A device of a class that this robot has none of. apps/python/controller/absent.py has the classes.
+class AbsentDevice : public Device {
+ public:
+  AbsentDevice(const std::string& type, const std::string& name) : Device(name, type.c_str()) {}
+};
+
 }  // namespace
 
 void bindDevices(py::module_& module) {
@@ -40,6 +46,9 @@ void bindDevices(py::module_& module) {
   reads(device, "getNodeType", &Device::getNodeType);
   reads(device, "getType", &Device::getType);
   reads(device, "getTag", &Device::getTag);
+
+  OwnedClass<AbsentDevice, Device> absent{module, "AbsentDevice", py::dynamic_attr()};
+  absent.def(py::init<const std::string&, const std::string&>(), py::arg("type"), py::arg("name"), kQuick);
 
   DeviceClass<LED, Device> led{module, "LED", py::dynamic_attr()};
   isMadeByName(led);

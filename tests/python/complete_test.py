@@ -53,7 +53,7 @@ class Complete(unittest.TestCase):
         return checked
 
     def test_api(self):
-        self.assertGreater(self.check(HEADERS, controller), 240)
+        self.assertGreater(self.check(HEADERS, controller), 340)
 
     def test_managers(self):
         self.assertGreater(self.check((SOURCE / "managers/include").glob("DARwInOP*.hpp"), managers), 20)
