@@ -33,6 +33,20 @@ TEST_F(GaitManager, SendsTheGoalsOfTheReference) {
   EXPECT_EQ(fake.last().joint[index(Joint::kHead)].set, 0);
 }
 
+TEST_F(GaitManager, CirclesAroundAPointInFrontAsTheReferenceDoesWithTheMoveAimOn) {
+  standing().setXAmplitude(0.5);
+  manager().setYAmplitude(-0.4);
+  manager().setAAmplitude(-0.3);
+  manager().setMoveAimOn(true);
+  manager().start();
+  const auto golden = goldenOf("G5_mix_aim");
+  ASSERT_FALSE(golden.empty());
+  for (std::size_t call = 1; call < golden.size(); call += 2) {
+    steps(1);
+    ASSERT_EQ(goals(), golden[call]) << call;
+  }
+}
+
 TEST_F(GaitManager, CarriesTheRemainderOfAStepOver) {
   standing().step(12);  // at rest: the remainder is discarded
   manager().start();
