@@ -71,7 +71,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "controller the robot kneels."},
     {Fault::kBoardReset, Reaction::kLimp, true, true, "board_reset",
      "servo power was lost while the robot was under torque: RESET was pressed or the supply dipped",
-     "hold the robot, then press START or start the controller again; if nobody pressed RESET, check battery and "
+     "hold the robot, then press START or start the controller again; if RESET was not pressed, check battery and "
      "connector",
      Checked::kBoard, "",
      "Two answers in a row. A joint counts as under torque until polled after a torque off (0.4 s); `NAME.held` in "
