@@ -10,6 +10,7 @@
 #include "core/packet.hpp"
 #include "core/registers.hpp"
 #include "core/servo_limits.hpp"
+#include "hal/cm730/diagnosis/bus_faults.hpp"
 #include "hal/cm730/diagnosis/chains.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 
@@ -30,8 +31,7 @@ constexpr ErrorBitRow kErrorBits[] = {
     {error_bit::kVoltage, Kind::kServoErrorBit, "voltage", "supply voltage out of range: check battery and cables"},
     {error_bit::kAngleLimit, Kind::kServoErrorBit, "angle limit",
      "a goal was outside its angle limits (registers 6 and 8): compare them with docs/registers.md"},
-    {error_bit::kOverheat, Kind::kServoOverheatBit, "overheating",
-     "let it cool down; check whether the joint pushes against a stop"},
+    {error_bit::kOverheat, Kind::kServoOverheatBit, "overheating", row(BusFault::kServoHot).remedy},
     {error_bit::kRange, Kind::kServoErrorBit, "range", "it rejected a value: check its firmware"},
     {error_bit::kChecksum, Kind::kServoErrorBit, "checksum",
      "it receives damaged requests: check the cable that leads to it"},
@@ -120,17 +120,23 @@ void addStatusLevel(const ServoFacts& servo, Row& found) {
               correctionRemedy(servo.level_correction));
 }
 
+std::string coolDown() {
+  char text[80];
+  std::snprintf(text, sizeof text, "let it cool to %.0f deg C; it shuts down at %.0f", kServoHotC - kHeatHysteresis,
+                kServoShutdownC);
+  return text;
+}
+
 void addHealth(const ServoFacts& servo, Row& found) {
   if (servo.temperature.value >= kServoOverheatC)
-    found.add(Kind::kServoTooHot, "too hot", "let it cool to 60 deg C; it shuts down at 80");
+    found.add(Kind::kServoTooHot, "too hot", coolDown());
   else if (servo.temperature.value >= kServoHotC)
     found.add(Kind::kServoHot, "hot", "let the robot cool down");
   for (const ErrorBitRow& error : kErrorBits)
     if ((servo.error_bits & error.bit) != 0)
       found.add(error.kind, "error bit: " + std::string{error.name}, error.remedy);
   if (servo.max_torque == 0)
-    found.add(Kind::kMaxTorqueZero, "max torque (register 14) is 0: no torque",
-              "set register 14 to 1023 with the vendor's tool");
+    found.add(Kind::kMaxTorqueZero, "max torque (register 14) is 0: no torque", row(BusFault::kMaxTorqueZero).remedy);
   else if (servo.torque_limit == 0)
     found.add(Kind::kTorqueLimitZero, "torque limit is 0: set by its shutdown or by a program",
               "remove the cause, then switch servo power off and on; a loop writes it again at takeover");
@@ -186,7 +192,7 @@ Finding readableRow(Joint joint, const RobotFacts& facts) {
   Row found{joint, summary(joint, servo)};
   if (servo.model != find(kMx28, "model").reset)
     found.add(Kind::kServoModel, "unsupported model " + std::to_string(servo.model) + " (expected 29, MX-28)",
-              "replace it by an MX-28");
+              row(BusFault::kServoModel).remedy);
   if (servo.firmware < kOldestFirmware)
     found.add(Kind::kServoFirmware, "firmware is older than 27: 1024 steps per turn and no PID",
               "update its firmware with the vendor's tool");

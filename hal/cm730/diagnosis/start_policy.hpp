@@ -85,7 +85,8 @@ struct KindRow {
   std::string_view finding, reason;
 };
 
-// docs/doctor.md has this table; a test compares them.
+// docs/doctor.md has this table; tests compare both, and the table with the thresholds in core/servo_limits.hpp and
+// diagnosis.hpp.
 inline constexpr auto kKindTable = std::to_array<KindRow>({
     {Kind::kRobotFile, Policy::kRefuse, Policy::kRefuse, "a mistake in robot.ini", "its limits would not apply"},
     {Kind::kPortMissing, Policy::kWait, Policy::kWait, "port missing or in use", "USB comes late at boot"},

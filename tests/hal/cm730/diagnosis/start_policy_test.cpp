@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdio>
 #include <iterator>
 #include <memory>
 #include <string>
 
+#include "core/servo_limits.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/finding.hpp"
 #include "hal/cm730/diagnosis/instruction_trial.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
@@ -39,6 +42,29 @@ std::string docsTable() {
 TEST(StartPolicyDocs, TheDocumentationHasTheTable) {
   const std::string page = textOf(DARWINOP_DOCTOR_PAGE);
   EXPECT_THAT(page, HasSubstr(docsTable())) << "expected table:\n" << docsTable();
+}
+
+TEST(StartPolicyDocs, TheTableNamesTheThresholds) {
+  const auto shown = [](const char* format, double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return std::string{text.data()};
+  };
+  const struct {
+    Kind kind;
+    std::string threshold;
+  } thresholds[] = {
+      {Kind::kSupplyLow, shown("under %g V", kBatteryLowV)},
+      {Kind::kSupplyEmpty, shown("under %g V", kBatteryEmptyV)},
+      {Kind::kRoundTripLong, shown("%g ms or more", static_cast<double>(kLatencySignature.count()) / 1e6)},
+      {Kind::kRepliesLost, shown("over %g %%", kLossAlarm * 100)},
+      {Kind::kServoFirmware, shown("before %g", kOldestFirmware)},
+      {Kind::kServoHot, shown("%g deg C or more", kServoHotC)},
+      {Kind::kServoTooHot, shown("%g deg C or more", kServoOverheatC)},
+  };
+  for (const auto& expected : thresholds)
+    EXPECT_THAT(std::string{kKindTable[static_cast<std::size_t>(expected.kind)].finding},
+                HasSubstr(expected.threshold));
 }
 
 TEST(StartPolicy, ARobotIsReportedDrivableExactlyWhenALoopDrivesIt) {
