@@ -32,7 +32,7 @@ inline constexpr std::uint32_t kAnswerPatience = 5;  // cycles
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Values are the last ones received; NaN before the first. `motion` and `health` are their ages.
+/// Values are the last ones received; NaN before the first. `motion` and `polled` are their ages.
 struct JointSensors {
   Freshness motion;             // age of position, velocity, load, error_bits
   Rad position;                 // rad
@@ -40,7 +40,7 @@ struct JointSensors {
   double load = kUnknown;       // fraction of the maximum torque, -1..1, positive pushes counter-clockwise
   std::uint8_t error_bits = 0;  // error byte of the last status packet, see error_bit
 
-  Freshness health;  // age of the values below, from the last round-robin poll (at least once a second)
+  Freshness polled;  // age of the values below, from the last round-robin poll (at least once a second)
   Volt voltage;
   Celsius temperature;
   NewtonMeter torque_limit;  // register value; 0 after the servo shut itself off

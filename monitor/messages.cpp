@@ -13,14 +13,14 @@
 namespace darwinop::monitor {
 namespace {
 
-constexpr double kHealthStale = 3;  // s; the health of every servo is read within 1 s
+constexpr double kPollStale = 3;  // s; every servo is polled within 1 s
 
 Json ageOf(Freshness freshness) {
   return freshness.ever() ? Json(freshness.age) : Json(nullptr);
 }
 
-bool healthFresh(const JointSensors& joint, double period) {
-  return joint.health.ever() && joint.health.age * period <= kHealthStale;
+bool polledLately(const JointSensors& joint, double period) {
+  return joint.polled.ever() && joint.polled.age * period <= kPollStale;
 }
 
 bool motionFresh(Freshness freshness) {
@@ -40,8 +40,8 @@ Json jointsOf(const Sensors& seen) {
   const auto motion = [](double value, const JointSensors& j) {
     return motionFresh(j.motion) ? rounded(value) : nullptr;
   };
-  const auto health = [period](double value, const JointSensors& j) {
-    return healthFresh(j, period) ? rounded(value) : nullptr;
+  const auto polled = [period](double value, const JointSensors& j) {
+    return polledLately(j, period) ? rounded(value) : nullptr;
   };
   using J = const JointSensors&;
   Json joints;
@@ -54,11 +54,11 @@ Json jointsOf(const Sensors& seen) {
   Json silent = Json::array();
   for (std::size_t i = 0; i < kJoints; ++i) silent.push_back(seen.silent[i]);
   joints["silent"] = std::move(silent);
-  joints["temperature"] = each(seen, [&](J j) { return health(j.temperature.value, j); });
-  joints["voltage"] = each(seen, [&](J j) { return health(j.voltage.value, j); });
-  joints["torque"] = each(seen, [&](J j) { return healthFresh(j, period) ? Json(j.torque_enabled) : Json(nullptr); });
-  joints["torque_limit"] = each(seen, [&](J j) { return health(j.torque_limit.value, j); });
-  joints["health_age"] = each(seen, [](J j) { return ageOf(j.health); });
+  joints["temperature"] = each(seen, [&](J j) { return polled(j.temperature.value, j); });
+  joints["voltage"] = each(seen, [&](J j) { return polled(j.voltage.value, j); });
+  joints["torque"] = each(seen, [&](J j) { return polledLately(j, period) ? Json(j.torque_enabled) : Json(nullptr); });
+  joints["torque_limit"] = each(seen, [&](J j) { return polled(j.torque_limit.value, j); });
+  joints["health_age"] = each(seen, [](J j) { return ageOf(j.polled); });
   return joints;
 }
 

@@ -54,7 +54,7 @@ DARWINOP_LAYOUT(Commands, joint, led, session, sequence, made_ns, end_of_session
                 unattended, settings, operator_resets, operator_releases);
 
 DARWINOP_LAYOUT(Freshness, age);
-DARWINOP_LAYOUT(JointSensors, motion, position, velocity, load, error_bits, health, voltage, temperature, torque_limit,
+DARWINOP_LAYOUT(JointSensors, motion, position, velocity, load, error_bits, polled, voltage, temperature, torque_limit,
                 goal, speed_limit, torque_enabled, commanded, driven);
 DARWINOP_LAYOUT(BoardSensors, motion, gyro, accelerometer, buttons, buttons_known, voltage, microphone_left,
                 servo_power, led_panel, led_head, led_eye, error_bits);

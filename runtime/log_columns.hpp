@@ -100,9 +100,9 @@ inline constexpr auto kJointLogColumns = std::to_array<JointLogColumn>({
     {"velocity", "rad/s", "measured in this cycle", DARWINOP_SEEN(motion, velocity.value)},
     {"load", "", "fraction of the greatest torque, -1..1, measured in this cycle", DARWINOP_SEEN(motion, load)},
     {"errors", "", "error bits of the servo's answer in this cycle", DARWINOP_SEEN(motion, error_bits)},
-    {"voltage", "V", "when it was this servo's turn", DARWINOP_SEEN(health, voltage.value)},
-    {"temperature", "degC", "when it was this servo's turn", DARWINOP_SEEN(health, temperature.value)},
-    {"torque_enabled", "", "1: torque is on, when it was this servo's turn", DARWINOP_SEEN(health, torque_enabled)},
+    {"voltage", "V", "when it was this servo's turn", DARWINOP_SEEN(polled, voltage.value)},
+    {"temperature", "degC", "when it was this servo's turn", DARWINOP_SEEN(polled, temperature.value)},
+    {"torque_enabled", "", "1: torque is on, when it was this servo's turn", DARWINOP_SEEN(polled, torque_enabled)},
 });
 #undef DARWINOP_ASKED
 #undef DARWINOP_SEEN

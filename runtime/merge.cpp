@@ -14,7 +14,7 @@ void mergeJoint(const ServoReading& reading, JointSensors& joint) noexcept {
     joint.motion.missed();
   }
   if (reading.answered && reading.polled) {
-    joint.health.received();
+    joint.polled.received();
     joint.voltage = reading.voltage;
     joint.temperature = reading.temperature;
     joint.torque_limit = reading.torque_limit;
@@ -22,7 +22,7 @@ void mergeJoint(const ServoReading& reading, JointSensors& joint) noexcept {
     joint.speed_limit = reading.speed_limit;
     joint.torque_enabled = reading.torque_enabled;
   } else {
-    joint.health.missed();
+    joint.polled.missed();
   }
 }
 

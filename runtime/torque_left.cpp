@@ -15,7 +15,7 @@ constexpr std::uint32_t kTwoRounds = 2 * (kJoints + 5);
 
 JointSet everAnswered(const Sensors& seen) noexcept {
   JointSet present;
-  for (std::size_t i = 0; i < kJoints; ++i) present[i] = seen.joint[i].health.ever() || seen.joint[i].motion.ever();
+  for (std::size_t i = 0; i < kJoints; ++i) present[i] = seen.joint[i].polled.ever() || seen.joint[i].motion.ever();
   return present;
 }
 
@@ -25,7 +25,7 @@ JointSet perhapsUnderTorque(const Sensors& seen, const JointSet& present) noexce
   JointSet left;
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointSensors& joint = seen.joint[i];
-    const bool polled = !offline && joint.health.age <= kTwoRounds;
+    const bool polled = !offline && joint.polled.age <= kTwoRounds;
     left[i] = present[i] && (!polled || joint.torque_enabled);
   }
   return left;

@@ -69,7 +69,7 @@ inline double JointGuard::push(const JointSensors& seen) const noexcept {
 /// A poll shows whether the servo has restarted: its moving speed is then 0, and torque is off unless a goal switched
 /// it on again. (A servo that shut itself off has torque limit 0: TripWatch.)
 inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
-  const bool polled = seen.motion.fresh() && seen.health.fresh();
+  const bool polled = seen.motion.fresh() && seen.polled.fresh();
   const bool off = polled && !seen.torque_enabled && seen.torque_limit.value > 0;
   const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or the servo has restarted
   const bool restarted = polled && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
@@ -91,7 +91,7 @@ inline void JointGuard::notePlaced(const JointSensors& seen) noexcept {
   constexpr double kSpeedTolerance = kRadPerSecPerCount;  // as above
   has_goal_ = false;
   if (channel_.out()) refused_ = 0;
-  if (!channel_.placed() || !seen.motion.fresh() || !seen.health.fresh()) return;
+  if (!channel_.placed() || !seen.motion.fresh() || !seen.polled.fresh()) return;
   const bool took = std::abs(seen.goal.value - channel_.goal().value) <= kTolerance && seen.speed_limit.value > 0 &&
                     seen.speed_limit.value <= config_.gentle_speed + kSpeedTolerance;
   // The torque limit was written with the goal: a limit of 0 means that the servo shut itself off since. Needs two
@@ -116,12 +116,12 @@ void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_
   if (verdict == TripWatch::Verdict::kOverheat) trip_ = Trip::kOverheat;
   // No longer suspected, or torque is off (kNotOn): the joint may have moved away from its last goal.
   if ((was_suspected && !suspected_) || watch_.lost() || given_up) restart();
-  if (seen.health.fresh()) {
+  if (seen.polled.fresh()) {
     stiff_ = seen.torque_enabled;
     torque_known_ = true;
   }
   if (watch_.lost()) stiff_ = torque_known_ = false;
-  if (off_ordered_ && seen.health.fresh() && seen.torque_enabled) orderOff();
+  if (off_ordered_ && seen.polled.fresh() && seen.torque_enabled) orderOff();
   channel_.observe(seen, dt);
   encoder_watch_.update(seen, push(seen), dt);
 }

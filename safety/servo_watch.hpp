@@ -25,7 +25,7 @@ class ServoWatch {
       overheat_bit_.update(overheat, !overheat);
       voltage_.update(voltage, !voltage, dt);
     }
-    if (seen.health.fresh()) {  // NaN fails every comparison: unknown is not a fault
+    if (seen.polled.fresh()) {  // NaN fails every comparison: unknown is not a fault
       const double celsius = seen.temperature.value;
       hot_.update(celsius >= config_.hot, celsius <= config_.hot - kHeatHysteresis);
       overheated_.update(celsius >= config_.overheat, celsius <= config_.overheat - kHeatHysteresis);

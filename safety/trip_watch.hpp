@@ -33,8 +33,8 @@ class TripWatch {
     if (!driven_for || armed)
       early_ = false;
     else if (seen.motion.fresh())
-      early_ = (seen.health.fresh() && seen.torque_limit.value <= 0) || (seen.error_bits & error_bit::kOverload) != 0;
-    if (armed && seen.health.fresh()) notePoll(seen);
+      early_ = (seen.polled.fresh() && seen.torque_limit.value <= 0) || (seen.error_bits & error_bit::kOverload) != 0;
+    if (armed && seen.polled.fresh()) notePoll(seen);
     if (bits_.on()) return (last_bits_ & error_bit::kOverheat) != 0 ? Verdict::kOverheat : Verdict::kOverload;
     if (off_.on()) return judgePoll(seen);
     return early_ || bits_.suspected() || off_.suspected() ? Verdict::kSuspected : Verdict::kFine;

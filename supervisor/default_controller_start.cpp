@@ -29,7 +29,7 @@ bool legsHold(const Sensors& seen) {
   constexpr std::uint32_t kBelieved = 5;  // maximum age of a reading, cycles
   for (std::size_t i = index(Joint::kPelvYR); i <= index(Joint::kFootL); ++i) {
     const JointSensors& joint = seen.joint[i];
-    if (joint.motion.age <= kBelieved && joint.health.ever() && joint.torque_enabled) return true;
+    if (joint.motion.age <= kBelieved && joint.polled.ever() && joint.torque_enabled) return true;
   }
   return false;
 }

@@ -21,7 +21,7 @@ Commands asItIs(const Sensors& seen) {
   commands.led = redLights();
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointSensors& joint = seen.joint[i];
-    const bool holds = joint.driven || (joint.health.ever() && joint.torque_enabled);
+    const bool holds = joint.driven || (joint.polled.ever() && joint.torque_enabled);
     if (!holds) commands.joint[i].setTorque(false);
   }
   return commands;

@@ -18,7 +18,7 @@ std::uint64_t cyclesIn(Nanos time, Nanos period) {
 bool anyStiff(const Sensors& seen) noexcept {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointSensors& joint = seen.joint[i];
-    const bool is_answering = joint.motion.ever() && joint.motion.age < kTwoRounds && joint.health.ever();
+    const bool is_answering = joint.motion.ever() && joint.motion.age < kTwoRounds && joint.polled.ever();
     if (is_answering && joint.torque_enabled) return true;
   }
   return false;

@@ -28,7 +28,7 @@ void ageImage(Sensors& image, std::uint64_t cycles, Nanos period) {
   image.time_ns += static_cast<std::int64_t>(cycles) * period.count();
   for (JointSensors& joint : image.joint) {
     age(joint.motion, cycles);
-    age(joint.health, cycles);
+    age(joint.polled, cycles);
   }
   age(image.board.motion, cycles);
 }
@@ -165,7 +165,7 @@ void TcpLink::takeLegacy(const Reply& reply, TcpState before) {
   const auto by_the_clock = image_.cycle + static_cast<std::uint64_t>((now - image_at_) / server_.period);
   const std::uint64_t cycle = std::max(stepped_to_, by_the_clock);
   image_at_ = expected(cycle);
-  ageImage(image_, cycle - image_.cycle, server_.period);  // health values are not in the 2013 protocol
+  ageImage(image_, cycle - image_.cycle, server_.period);  // polled values are not in the 2013 protocol
   image_.period_ns = server_.period.count();
   takeLegacyReply(reply, image_);
   if (before == TcpState::kFirstContact) shown_ = image_;

@@ -107,7 +107,7 @@ void joint(Block& block, Joint& seen) {
   block.real(seen.velocity.value);
   block.real(seen.load);
   block.integer(seen.error_bits);
-  block.age(seen.health);
+  block.age(seen.polled);
   block.real(seen.voltage.value);
   block.real(seen.temperature.value);
   block.real(seen.torque_limit.value);

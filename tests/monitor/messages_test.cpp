@@ -96,7 +96,7 @@ Sensors standing() {
   neck.position = Rad{0.5};
   neck.velocity = RadPerSec{-0.1};
   neck.load = 0.25;
-  neck.health.age = 60;
+  neck.polled.age = 60;
   neck.temperature = Celsius{41};
   neck.voltage = Volt{11.9};
   neck.torque_enabled = true;
@@ -139,7 +139,7 @@ TEST(MonitorState, ReportsStaleValuesAsNull) {
   seen.joint[18].motion.age = 3;
   EXPECT_EQ(Json::parse(stateText(seen))["joints"]["position"][18], 0.5);
   seen.joint[18].motion.age = 4;
-  seen.joint[18].health.age = 188;  // 3.008 s
+  seen.joint[18].polled.age = 188;  // 3.008 s
   seen.board.motion.age = 4;
   const Json text = Json::parse(stateText(seen));
   EXPECT_TRUE(text["joints"]["position"][18].is_null());
@@ -172,7 +172,7 @@ RC_GTEST_PROP(MonitorState, IsJsonWhateverTheImage, ()) {
   seen.safety.worst_joint = *rc::gen::arbitrary<std::uint8_t>();
   JointSensors& joint = seen.joint[*rc::gen::inRange<std::size_t>(0, kJoints)];
   joint.motion.age = *rc::gen::element<std::uint32_t>(0, 3, Freshness::kNever);
-  joint.health.age = *rc::gen::element<std::uint32_t>(0, 3, Freshness::kNever);
+  joint.polled.age = *rc::gen::element<std::uint32_t>(0, 3, Freshness::kNever);
   joint.position = Rad{anyDouble()};
   joint.load = anyDouble();
   joint.temperature = Celsius{anyDouble()};

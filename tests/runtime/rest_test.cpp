@@ -17,7 +17,7 @@ class RestTest : public testing::Test {
     seen_.board.servo_power = true;
     for (JointSensors& joint : seen_.joint) {
       joint.motion.received();
-      joint.health.received();
+      joint.polled.received();
     }
   }
   /// Cycles in this state until the robot may be left, at most `most`.

@@ -19,7 +19,7 @@ Sensors limpImage() {
   seen.board.servo_power = true;
   for (JointSensors& joint : seen.joint) {
     joint.motion.received();
-    joint.health.received();
+    joint.polled.received();
   }
   return seen;
 }
@@ -43,17 +43,17 @@ TEST(TorqueLeft, AServoWithTorqueIsNamedWhateverTheState) {
 
 TEST(TorqueLeft, AServoThatWasNotPolledForTwoRoundsIsUnknown) {
   Sensors seen = limpImage();
-  seen.joint[kNeck].health.age = 50;
+  seen.joint[kNeck].polled.age = 50;
   EXPECT_TRUE(left(seen).none());
-  seen.joint[kNeck].health.age = 51;
+  seen.joint[kNeck].polled.age = 51;
   EXPECT_EQ(namesOf(left(seen)), "Neck");
-  seen.joint[kNeck].health.age = Freshness::kNever;
+  seen.joint[kNeck].polled.age = Freshness::kNever;
   EXPECT_EQ(namesOf(left(seen)), "Neck") << "it answers, its torque was never read";
 }
 
 TEST(TorqueLeft, AServoThatNeverAnsweredIsAbsentUnlessAnEarlierLoopKnewIt) {
   Sensors seen = limpImage();
-  seen.joint[kNeck].motion.age = seen.joint[kNeck].health.age = Freshness::kNever;
+  seen.joint[kNeck].motion.age = seen.joint[kNeck].polled.age = Freshness::kNever;
   EXPECT_TRUE(left(seen).none());
   EXPECT_EQ(namesOf(perhapsUnderTorque(seen, JointSet{}.set())), "Neck");
 }
@@ -69,7 +69,7 @@ TEST(TorqueLeft, BehindASilentBoardNothingIsKnown) {
 TEST(TorqueLeft, WithoutServoPowerThereIsNone) {
   Sensors seen = limpImage();
   seen.board.servo_power = false;
-  for (JointSensors& joint : seen.joint) joint.health.age = 1000;
+  for (JointSensors& joint : seen.joint) joint.polled.age = 1000;
   seen.joint[kNeck].torque_enabled = true;
   seen.board.motion.age = kAnswerPatience;
   EXPECT_TRUE(left(seen).none());

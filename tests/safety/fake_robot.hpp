@@ -115,7 +115,7 @@ struct FakeRobot {
     if (!board_answers || !servo_power || !s.answers) {
       unseen_.set(i);
       j.motion.missed();
-      j.health.missed();
+      j.polled.missed();
       return;
     }
     j.motion.received();
@@ -125,9 +125,9 @@ struct FakeRobot {
     j.error_bits = s.error_bits;
     if (s.remembers && !s.torque) j.error_bits |= error_bit::kOverload;
     // As the bus does: one in turn, and those that missed an answer.
-    if (!s.polled || (seen.cycle % kJoints != i && !unseen_[i])) return j.health.missed();
+    if (!s.polled || (seen.cycle % kJoints != i && !unseen_[i])) return j.polled.missed();
     unseen_.reset(i);
-    j.health.received();
+    j.polled.received();
     j.temperature = Celsius{s.celsius};
     j.torque_limit = NewtonMeter{s.torque_limit};
     j.goal = Rad{s.goal};

@@ -175,7 +175,7 @@ TEST(Faults, OneCorruptedTemperatureIsNotAFault) {
   Rig rig;
   rig.start();
   rig.runFor(1);
-  rig.robot.seen.joint[5].health.received();
+  rig.robot.seen.joint[5].polled.received();
   rig.robot.seen.joint[5].temperature = Celsius{110};
   rig.robot.seen.joint[5].torque_enabled = true;
   rig.robot.seen.joint[5].torque_limit = NewtonMeter{2.5};

@@ -102,7 +102,7 @@ TEST(TakeOver, AGoalStaysInItsPlaceUntilTorqueIsSeen) {
   ASSERT_GE(rig.runUntil([&] { return rig.safe->torqueOn()[index(Joint::kHead)]; }), 0);
   const double placed = rig.goal(Joint::kHead);
   for (int i = 0; i < 5; ++i) {
-    rig.robot.seen.joint[index(Joint::kHead)].health.missed();  // position only
+    rig.robot.seen.joint[index(Joint::kHead)].polled.missed();  // position only
     rig.cycle();
     ASSERT_EQ(rig.goal(Joint::kHead), placed) << i;
   }

@@ -22,7 +22,7 @@ JointSensors answer(std::uint8_t error_bits) {
 }
 JointSensors look(std::uint8_t error_bits, double torque_limit, bool torque_enabled) {
   JointSensors seen = answer(error_bits);
-  seen.health.received();
+  seen.polled.received();
   seen.torque_limit = NewtonMeter{torque_limit};
   seen.torque_enabled = torque_enabled;
   return seen;

@@ -114,12 +114,12 @@ TEST_F(Begin, ARobotFoundUnderTorqueSkipsThePoseCheckIfALegHolds) {
   Sensors stiff = lying();
   stiff.safety.state = State::kFoundStiff;
   JointSensors& head = stiff.joint[index(Joint::kHead)];
-  head.health.received();
+  head.polled.received();
   head.torque_enabled = true;
   lookFor(3s, stiff);
   EXPECT_FALSE(runs()) << "limp legs: a person may hold the robot";
   JointSensors& knee = stiff.joint[index(Joint::kLegLowerL)];
-  knee.health.received();
+  knee.polled.received();
   knee.torque_enabled = true;
   controller.update(stiff, now);
   EXPECT_TRUE(runs());

@@ -8,9 +8,9 @@ namespace {
 TEST(Holder, JointsUnderTorqueHoldAndLimpOnesStayLimp) {
   Sensors seen;
   seen.joint[0].driven = true;
-  seen.joint[1].health.received();
+  seen.joint[1].polled.received();
   seen.joint[1].torque_enabled = true;
-  seen.joint[2].health.received();
+  seen.joint[2].polled.received();
   const Commands commands = asItIs(seen);
   for (std::size_t i = 0; i < kJoints; ++i) {
     EXPECT_FALSE(commands.joint[i].has(JointCommand::kGoal)) << i;

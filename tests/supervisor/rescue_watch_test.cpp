@@ -14,7 +14,7 @@ Sensors image(std::uint64_t cycle, State state, bool stiff) {
   seen.safety.state = state;
   for (JointSensors& joint : seen.joint) {
     joint.motion.received();
-    joint.health.received();
+    joint.polled.received();
     joint.torque_enabled = stiff;
   }
   return seen;

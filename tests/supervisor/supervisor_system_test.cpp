@@ -234,7 +234,7 @@ TEST_F(Home, AnInvalidRobotIniIsReportedOnceAndBlocksTheRuntime) {
 /// Some joint gets goals, or was polled after that cycle and had torque.
 bool anyTorqueSince(std::uint64_t cycle, const Sensors& seen) {
   return std::ranges::any_of(seen.joint, [&](const JointSensors& j) {
-    const bool looked_at = j.health.ever() && j.health.age + cycle < seen.cycle;
+    const bool looked_at = j.polled.ever() && j.polled.age + cycle < seen.cycle;
     return j.driven || (looked_at && j.torque_enabled);
   });
 }

@@ -29,7 +29,7 @@ inline Sensors anyImage() {
   seen.overruns = *arbitrary<std::uint32_t>();
   for (JointSensors& joint : seen.joint) {
     joint.motion = anyAge();
-    joint.health = anyAge();
+    joint.polled = anyAge();
     joint.position = Rad{anyReal()};
     joint.load = anyReal();
     joint.temperature = Celsius{anyReal()};

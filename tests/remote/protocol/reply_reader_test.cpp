@@ -103,7 +103,7 @@ TEST(SensorBlock, KeepsWhatAControllerReads) {
   Sensors seen;
   seen.joint[18].motion.age = 3;
   seen.joint[18].position = Rad{0.49854};
-  seen.joint[19].health.age = 1000;
+  seen.joint[19].polled.age = 1000;
   seen.board.buttons = 2;
   seen.board.voltage = Volt{11.8};
   seen.safety.active.set(2);
@@ -111,7 +111,7 @@ TEST(SensorBlock, KeepsWhatAControllerReads) {
   const Sensors back = readSensors(blockOf(seen));
   EXPECT_EQ(back.joint[18].motion.age, 3);
   EXPECT_NEAR(back.joint[18].position.value, 0.49854, 3e-7);
-  EXPECT_EQ(back.joint[19].health.age, 254) << "as old, or older";
+  EXPECT_EQ(back.joint[19].polled.age, 254) << "as old, or older";
   EXPECT_FALSE(back.joint[19].motion.ever());
   EXPECT_FALSE(back.joint[17].position.known());
   EXPECT_EQ(back.board.buttons, 2);
