@@ -6,6 +6,7 @@
 // judge data, not models. Constants of planning, on which no verdict depends: gap/plan/thresholds.hpp.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -89,6 +90,8 @@ inline constexpr std::size_t kRefinedEffects = 10, kRefinedEffectsRough = 16;
 inline constexpr std::size_t kStartsPerEffect = 3;
 /// Effects that are fitted. From the specification (refine the best 5).
 inline constexpr std::size_t kFittedEffects = 6;
+/// Solver iterations of these fits, which only rank; the best are fitted again. No evidence yet.
+inline constexpr int kShortlistIterations = 6;
 /// Fitted models that are compared under the noise of the best.
 inline constexpr std::size_t kComparedModels = 5;
 /// Only models this close to the best are compared: share of its gain, or cost.
@@ -100,6 +103,8 @@ inline constexpr double kRivalLead = 2;
 
 // ---- Refit with matching noise (gap/identify/fitted_model.cpp) ----
 
+/// Solver iterations of a fit under another model's noise, starting at its own. No evidence yet.
+inline constexpr int kRefitIterations = 8;
 /// Total cost. A round that gains less is the last.
 inline constexpr double kRefitGain = 0.5;
 /// Squared standard deviations. A fit that moved less keeps its noise model.
@@ -119,6 +124,8 @@ inline constexpr int kCrossValidationIterations = 6;
 inline constexpr int kMaxRipplesPerTurn = 60;
 /// N m. Ripple whose response is linear: small against what moves an arm.
 inline constexpr double kScreenRippleTorque = 0.004;
+/// Gauss-Newton steps that refine a start. No evidence yet.
+inline constexpr int kRefineIterations = 5;
 /// Share of the remaining squares. A Gauss-Newton step that gains less is the last. No evidence yet.
 inline constexpr double kRefineGain = 1e-3;
 /// Prior standard deviations that the linear model may move a number by. No evidence yet.
@@ -187,8 +194,14 @@ inline constexpr double kDiscrepancyRobustSigmas = 2;
 
 /// Prior standard deviations a search may move a baseline number by; beyond, an effect that says so explains it better.
 inline constexpr double kFarthestPriorSigmas = 6;
+/// Share of its expected value below which no search lowers a baseline number or a known parameter: they stay positive
+/// where the prior is wide. No evidence yet.
+inline constexpr double kLeastPriorShare = 0.2;
 /// Share of a range below which a logarithmic parameter has no effect.
 inline constexpr double kSmallestScale = 1e-4;
+/// First difference step of an unknown: logarithmic ones by its logarithm; with a prior in its standard deviations;
+/// else as a share of the range. The step of a refined search comes from the information matrix. No evidence yet.
+inline constexpr double kFirstLogStep = 0.02, kFirstStepSigmas = 0.2, kFirstStepShare = 0.003;
 /// First steps. Longest and shortest difference step: a shorter one meets the roughness of stick and slip. No evidence
 /// yet.
 inline constexpr double kLongestStep = 2, kShortestStep = 1e-6;
@@ -199,15 +212,26 @@ inline constexpr double kLeastStepRoom = 0.01;
 
 /// Relative cost. A solver step that gains less is the last.
 inline constexpr double kSolverTolerance = 1e-5;
+/// Relative length. A solver step that is shorter is the last. No evidence yet.
+inline constexpr double kSolverStep = 1e-7;
+/// Solver steps in a row that cannot be evaluated, after which a search ends. No evidence yet.
+inline constexpr int kInvalidSteps = 3;
+/// Solver iterations of a search, unless its caller wants fewer. No evidence yet.
+inline constexpr int kSolverIterations = 12;
 /// Standard deviations beyond which a residual counts linearly while the search is far off.
 inline constexpr double kFarRobustSigmas = 100;
 /// Cost per residual above which a search counts as far off; a right model has about 1.
 inline constexpr double kFarCost = 2.5;
 /// Share of the largest eigenvalue below which the data do not determine a direction.
 inline constexpr double kUnobservableEigenvalue = 1e-9;
+/// Squared component of an unknown in such directions from which it counts as not determined. No evidence yet.
+inline constexpr double kUnobservableShare = 0.01;
 /// Cost, and share of the cost, that a jump out of a local minimum has to gain; jumps per search. No evidence yet.
 inline constexpr double kJumpGain = 2, kJumpGainShare = 0.005;
 inline constexpr int kMaxJumps = 3;
+/// Jumps that are tried, in difference steps: along each unknown, and along the eigenvectors of a refined search. No
+/// evidence yet.
+inline constexpr std::array<double, 6> kFirstJumps{-10, -3, -1, 1, 3, 10}, kRefinedJumps{-4, -2, -1, 1, 2, 4};
 
 // ---- Block tests (gap/localize/block_test.cpp, blocks.cpp, absorb.cpp, fit_nuisances.cpp) ----
 

@@ -23,8 +23,9 @@ fixed='kMaxRipplesPerTurn|kResidualLevels|kBootstrapSeed|kInterval90|kBelowFloor
 numbers='kFinestInterval|kCorrelatedSamples|k\w*RobustSigmas|kDiscrepancyTime|kAbsorbedSigmas|kNuisanceStepSigmas'
 numbers+='|kNoise\w*HalfWindow|kFewRunsFactor|kImpossibleSigmas|kRepeatsHalfWindow|kSpreadOf\w+|kIndependentShare'
 numbers+='|kScreenRippleTorque|kRippleTorque|kRippleWindow|kRipplePeriod|kRefinePriorSigmas|kFarthestPriorSigmas'
-numbers+='|kSmallestScale|kLongestStep|kShortestStep|kLeastStepRoom|kSolverTolerance|kJumpGain\w*|kSpeedLawWindow'
-numbers+='|kCrossValidationIterations|kStateHalfWindow|kLongestFold|kFoldedLoadJump|kSpeedLag|kSpeedScale'
+numbers+='|kLeastPriorShare|kFirst\w*Step\w*|kSmallestScale|kLongestStep|kShortestStep|kLeastStepRoom|kSolver\w+'
+numbers+='|kInvalidSteps|kJumpGain\w*|kSpeedLawWindow|k\w+Iterations|kStateHalfWindow|kLongestFold|kFoldedLoadJump'
+numbers+='|kSpeedLag|kSpeedScale'
 
 constants() {
   perl -ne 'next unless s/^inline constexpr (?:double|int|std::size_t) //; print "$1\n" while /(\w+) = /g' gap/thresholds.hpp |

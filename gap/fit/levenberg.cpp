@@ -93,8 +93,8 @@ Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen:
   options.max_num_iterations = iterations;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.function_tolerance = thresholds::kSolverTolerance;
-  options.parameter_tolerance = 1e-7;
-  options.max_num_consecutive_invalid_steps = 3;
+  options.parameter_tolerance = thresholds::kSolverStep;
+  options.max_num_consecutive_invalid_steps = thresholds::kInvalidSteps;
   options.line_search_interpolation_type = ceres::QUADRATIC;  // a cubic one takes slopes at every try
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "gap/fit/jacobian.hpp"
@@ -45,7 +46,7 @@ Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
       unobservable += eigen.eigenvectors().col(i).cwiseAbs2();
   }
   for (Eigen::Index i = 0; i < count; ++i)
-    if (unobservable[i] > 0.01) covariance(i, i) = kInfinity;
+    if (unobservable[i] > thresholds::kUnobservableShare) covariance(i, i) = kInfinity;
   return covariance;
 }
 
@@ -83,7 +84,7 @@ void search(const Problem& problem, Fit& fit, int iterations) {
 
 /// Tries points at `multiples` of each step: a delay, backlash, or an arm that comes to rest in one dip of a ripple or
 /// in the next make the cost discontinuous, and a gradient search stops there. True: one of them is better.
-bool jump(const Problem& problem, const Eigen::MatrixXd& steps, const std::vector<double>& multiples, Fit& fit) {
+bool jump(const Problem& problem, const Eigen::MatrixXd& steps, std::span<const double> multiples, Fit& fit) {
   std::vector<Eigen::VectorXd> tries;
   for (Eigen::Index i = 0; i < steps.cols(); ++i)
     for (const double multiple : multiples) tries.push_back(problem.inBounds(fit.x + multiple * steps.col(i)));
@@ -108,7 +109,7 @@ Eigen::MatrixXd stepsToJump(const Problem& problem, const Fit& fit) {
 }
 
 template <class Steps>
-void searchAndJump(const Problem& problem, const Steps& steps_at, const std::vector<double>& multiples,
+void searchAndJump(const Problem& problem, const Steps& steps_at, std::span<const double> multiples,
                    const SolveOptions& options, Fit& fit) {
   // A search from the wrong side of such a step moves away from the optimum behind it.
   if (isFarOff(fit)) jump(problem, steps_at(fit), multiples, fit);
@@ -128,14 +129,14 @@ Fit solve(const Problem& problem, const Eigen::VectorXd& start, const SolveOptio
   if (start.size() == 0) return fit;
   if (options.iterations > 0)
     searchAndJump(
-        problem, [&](const Fit& at) { return stepsToJump(problem, at); }, {-10, -3, -1, 1, 3, 10}, options, fit);
+        problem, [&](const Fit& at) { return stepsToJump(problem, at); }, thresholds::kFirstJumps, options, fit);
   if (!options.refine) return fit;
 
   lookAround(problem, fit);
   fit.steps = stepsAlong(problem, fit.information);
   if (options.iterations > 0)
     searchAndJump(
-        problem, [steps = fit.steps](const Fit&) { return steps; }, {-4, -2, -1, 1, 2, 4}, options, fit);
+        problem, [steps = fit.steps](const Fit&) { return steps; }, thresholds::kRefinedJumps, options, fit);
   lookAround(problem, fit);
   return fit;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "gap/fit/problem.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 
@@ -18,7 +19,7 @@ struct Fit {
 };
 
 struct SolveOptions {
-  int iterations = 12;
+  int iterations = thresholds::kSolverIterations;
   bool refine = true;          // second pass along the eigenvectors; else no Jacobian and no covariance
   Eigen::MatrixXd steps = {};  // of the finite differences; empty: first steps
 };

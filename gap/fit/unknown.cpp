@@ -40,7 +40,7 @@ void move(Hypothesis& hypothesis, const Unknown& unknown, double value) {
 Unknown factor(const BaselineNumber& known, double sigma) {
   Unknown unknown{.name = std::string{known.name}, .what = {}, .sigma = sigma};
   std::visit([&](auto what) { unknown.what = what; }, known.what);
-  unknown.low = std::max(0.2, 1 - thresholds::kFarthestPriorSigmas * sigma);
+  unknown.low = std::max(thresholds::kLeastPriorShare, 1 - thresholds::kFarthestPriorSigmas * sigma);
   unknown.high = 1 + thresholds::kFarthestPriorSigmas * sigma;
   return unknown;
 }
@@ -60,8 +60,8 @@ double Unknown::fromSearch(double x) const {
 }
 
 double Unknown::firstStep() const {
-  if (logarithmic) return 0.02;
-  return std::isfinite(sigma) ? 0.2 * sigma : 0.003 * (high - low);
+  if (logarithmic) return thresholds::kFirstLogStep;
+  return std::isfinite(sigma) ? thresholds::kFirstStepSigmas * sigma : thresholds::kFirstStepShare * (high - low);
 }
 
 std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis) {
@@ -87,12 +87,13 @@ std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis
     for (std::size_t i = 0; i < effect->values.size(); ++i) {
       if (effect->info->parameters[i].key != prior.number.substr(dot + 1) || effect->values[i] == 0) continue;
       const double value = effect->values[i], sigma = std::abs(value) * prior.relative_sigma;
-      unknowns.push_back({.name = prior.number,
-                          .what = EffectParameter{effect->info, i, {}},
-                          .expected = value,
-                          .sigma = sigma,
-                          .low = std::max(0.2 * value, value - thresholds::kFarthestPriorSigmas * sigma),
-                          .high = value + thresholds::kFarthestPriorSigmas * sigma});
+      unknowns.push_back(
+          {.name = prior.number,
+           .what = EffectParameter{effect->info, i, {}},
+           .expected = value,
+           .sigma = sigma,
+           .low = std::max(thresholds::kLeastPriorShare * value, value - thresholds::kFarthestPriorSigmas * sigma),
+           .high = value + thresholds::kFarthestPriorSigmas * sigma});
     }
   }
   return unknowns;

@@ -114,8 +114,9 @@ FittedModel refitUnderNoiseOf(const FittedModel& other, const FittedModel& refer
 FittedModel refitUnderNoiseOf(const Effects& effects, Nuisance nuisance, const Problem& from, const Fit& known,
                               const FittedModel& reference, bool jacobian) {
   Problem problem = problemWith(*reference.study, *reference.evidence, effects, nuisance);
-  Fit fit = solve(problem, startFrom(problem, from, known.x),
-                  {.iterations = 8, .refine = jacobian, .steps = stepsFrom(problem, from, known.steps)});
+  Fit fit = solve(
+      problem, startFrom(problem, from, known.x),
+      {.iterations = thresholds::kRefitIterations, .refine = jacobian, .steps = stepsFrom(problem, from, known.steps)});
   const double total = fit.cost + reference.evidence->logDeterminant();
   return {reference.study, effects, nuisance, reference.evidence, std::move(problem), std::move(fit), total};
 }

@@ -57,12 +57,12 @@ class Along {
 
 }  // namespace
 
-RefinedStart Screen::refinedStart(const Candidate& candidate, int iterations) const {
+RefinedStart Screen::refinedStart(const Candidate& candidate) const {
   const Along along{present_, candidate};
   const auto own = static_cast<Eigen::Index>(along.own());
   Eigen::VectorXd x = along.x(), all = along.extended(x), left = withoutAbsorbed(all);
   double size = left.squaredNorm(), damping = 1e-3;
-  for (int i = 0; i < iterations && own > 0; ++i) {
+  for (int i = 0; i < thresholds::kRefineIterations && own > 0; ++i) {
     Eigen::MatrixXd jacobian(left.size(), own);
     for (std::size_t k = 0; k < along.own(); ++k) {
       const auto column = static_cast<Eigen::Index>(k);

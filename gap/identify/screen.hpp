@@ -30,7 +30,7 @@ class Screen {
   [[nodiscard]] bool hasRipples() const;
   /// All candidates with their predicted gains, greatest first.
   [[nodiscard]] std::vector<Candidate> candidates() const;
-  [[nodiscard]] RefinedStart refinedStart(const Candidate& candidate, int iterations = 5) const;
+  [[nodiscard]] RefinedStart refinedStart(const Candidate& candidate) const;
   /// The greatest predicted gain of any candidate if the residuals were these: for the bootstrap.
   [[nodiscard]] double greatestPredictedGain(const Eigen::VectorXd& residuals) const;
 

@@ -113,7 +113,7 @@ void fitAll(const FittedModel& present, std::vector<ShortlistEntry>& entries) {
     ShortlistEntry& entry = entries[i];
     entry.problem.emplace(
         problemWith(*present.study, *present.evidence, withOneMore(present, *entry.effect), present.nuisance));
-    entry.fit = solve(*entry.problem, entry.start, {.iterations = 6, .refine = false});
+    entry.fit = solve(*entry.problem, entry.start, {.iterations = thresholds::kShortlistIterations, .refine = false});
   });
   std::stable_sort(entries.begin(), entries.end(),
                    [](const ShortlistEntry& a, const ShortlistEntry& b) { return a.fit.cost < b.fit.cost; });

@@ -15,6 +15,7 @@
 #include "gap/identify/start_grid.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plan/messages.hpp"
+#include "gap/plan/thresholds.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/sections.hpp"
@@ -84,7 +85,7 @@ FittedHypothesis fitted(const Study& study, const std::vector<const twin::Effect
     Problem with = problemWith(study, evidence, effects, Nuisance::kFree);
     x = bestStart(with, startFrom(with, problem, x), *effect);
     problem = std::move(with);
-    x = solve(problem, x, {.iterations = 8, .refine = false}).x;
+    x = solve(problem, x, {.iterations = thresholds::kPlannedFitIterations, .refine = false}).x;
   }
   // Fitted again under the noise of the fitted model.
   NoiseOptions options;

@@ -12,6 +12,8 @@ namespace darwinop::gap::thresholds {
 inline constexpr std::size_t kMostPlannedRivals = 3;
 /// Share of an effect that the baseline already has by which a larger one is assumed. No evidence yet.
 inline constexpr double kMoreOfAnEffect = 0.3;
+/// Solver iterations for each effect of a hypothesis. No evidence yet.
+inline constexpr int kPlannedFitIterations = 8;
 
 // ---- What an experiment would show (gap/plan/prediction.cpp, ranking.cpp) ----
 
