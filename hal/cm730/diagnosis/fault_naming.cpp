@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "core/servo_limits.hpp"
+#include "hal/cm730/diagnosis/kind_faults.hpp"
 #include "hal/cm730/diagnosis/line_events.hpp"
 #include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/diagnosis/silent_servos.hpp"
@@ -161,42 +162,10 @@ class Naming {
   }
 
   void nameByKind() {
-    struct KindFault {
-      Kind kind;
-      BusFault fault;
-    };
-    static constexpr KindFault kOfKind[] = {
-        {Kind::kBoardSilent, BusFault::kBoardSilent},
-        {Kind::kBoardGarbled, BusFault::kNotABoard},
-        {Kind::kBoardUnreadable, BusFault::kBoardUnreadable},
-        {Kind::kBoardModel, BusFault::kBoardModel},
-        {Kind::kServoPowerOff, BusFault::kServoPowerOff},
-        {Kind::kNoBulkRead, BusFault::kNoBulkRead},
-        {Kind::kNoSyncWrite, BusFault::kNoSyncWrite},
-        {Kind::kBlockLengths, BusFault::kBlockLengths},
-        {Kind::kServoUnreadable, BusFault::kStatusLevel},
-        {Kind::kStatusLevel, BusFault::kStatusLevel},
-        {Kind::kServoModel, BusFault::kServoModel},
-        {Kind::kServoFirmware, BusFault::kServoFirmware},
-        {Kind::kWheelMode, BusFault::kWheelMode},
-        {Kind::kMultiTurnMode, BusFault::kMultiTurnMode},
-        {Kind::kNoRange, BusFault::kServoLimits},
-        {Kind::kStartPoseOutside, BusFault::kServoLimits},
-        {Kind::kNarrowRange, BusFault::kServoLimits},
-        {Kind::kMaxTorqueZero, BusFault::kMaxTorqueZero},
-        {Kind::kReturnDelay, BusFault::kReturnDelays},
-        {Kind::kTorqueLimitZero, BusFault::kServoOverload},
-        {Kind::kServoOverloadBit, BusFault::kServoOverload},
-        {Kind::kServoHot, BusFault::kServoHot},
-        {Kind::kServoTooHot, BusFault::kServoHot},
-        {Kind::kServoOverheatBit, BusFault::kServoHot},
-        {Kind::kServoErrorBit, BusFault::kServoErrorBit},
-        {Kind::kServoInstruction, BusFault::kServoInstruction},
-    };
     for (std::size_t i = 0; i < kBusFaults; ++i) {
       std::bitset<kJoints> joints;
       bool found = false;
-      for (const KindFault& entry : kOfKind) {
+      for (const KindFault& entry : kKindFaults) {
         if (entry.fault != static_cast<BusFault>(i) || !has(entry.kind)) continue;
         found = true;
         joints |= jointsOf(entry.kind);
