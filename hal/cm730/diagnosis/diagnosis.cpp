@@ -6,19 +6,14 @@
 
 #include "core/registers.hpp"
 #include "core/servo_limits.hpp"
-#include "hal/cm730/bus.hpp"
+#include "hal/cm730/diagnosis/cycle_time.hpp"
 #include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/usb_serial.hpp"
-#include "hal/cm730/wire.hpp"
 
 namespace darwinop::cm730 {
 namespace {
 
-constexpr Nanos kDelayUnit{2'000};
 constexpr std::uint16_t kCm730Model = find(kCm730, "model").reset;
-constexpr std::size_t kSyncWriteBytes = 188;  // gains, goal, speed, torque limit of twenty servos
-constexpr std::size_t kGoalBytes = 68;        // goals only, as in most cycles
-constexpr std::size_t kRequestBytes = kFrameOverhead + 1 + 3 * (kJoints + 1);
 
 template <class... Args>
 std::string format(const char* pattern, Args... args) {
@@ -30,24 +25,6 @@ std::string format(const char* pattern, Args... args) {
 double ms(Nanos time) {
   return static_cast<double>(time.count()) * 1e-6;
 }
-
-Nanos returnDelays(const RobotFacts& facts) {
-  Nanos sum{0};
-  for (const ServoFacts& servo : facts.servo)
-    if (servo.readable) sum += kDelayUnit * servo.return_delay;
-  return sum;
-}
-
-/// USB overhead of an exchange: the request waits for a USB frame, and the FTDI chip delays the end of the reply. A
-/// BulkRead's replies have no gaps and fill packets, so a cycle pays this once, as a short read does.
-Nanos usbTime(const RobotFacts& facts) {
-  constexpr std::size_t kShortRead = 8 + 8;
-  return std::max(Nanos{0}, facts.round_trip - wireTime(kShortRead));
-}
-
-constexpr std::size_t kReadBytes =
-    kRequestBytes + kBoardWindow.frameBytes() + kServoPoll.frameBytes() + (kJoints - 1) * kServoWindow.frameBytes();
-constexpr std::size_t kCycleBytes = kSyncWriteBytes + kReadBytes, kGoalCycleBytes = kGoalBytes + kReadBytes;
 
 Finding silentBoard(const RobotFacts& facts) {
   if (facts.board.garbled)
@@ -114,7 +91,7 @@ void addCycle(const RobotFacts& facts, Findings& rows) {
   const Nanos delays = returnDelays(facts), usb = usbTime(facts);
   const std::string what =
       format("a full cycle takes %.1f ms of %.0f: %.2f on the wire, %.1f of return delays, %.1f of USB",
-             ms(cycleTime(facts)), ms(facts.period), ms(wireTime(kCycleBytes)), ms(delays), ms(usb));
+             ms(cycleTime(facts)), ms(facts.period), ms(cycleWireTime()), ms(delays), ms(usb));
   if (cycleFits(facts))
     rows.push_back(Finding::ok(what));
   else if (delays > usb)
@@ -180,17 +157,6 @@ bool isSupported(const ServoFacts& servo) {
 
 bool isSupported(const RobotFacts& facts) {
   return facts.board.model == kCm730Model || facts.board.model == facts.board_model;
-}
-
-Nanos cycleTime(const RobotFacts& facts) {
-  return wireTime(kCycleBytes) + returnDelays(facts) + usbTime(facts);
-}
-
-bool cycleFits(const RobotFacts& facts) {
-  const Nanos besides_bytes = returnDelays(facts) + usbTime(facts);
-  return usbTime(facts) <= BusConfig::forPeriod(facts.period).margin &&
-         wireTime(kGoalCycleBytes) + besides_bytes <= facts.period - kHeadroom &&
-         wireTime(kCycleBytes) + besides_bytes <= facts.period;
 }
 
 Findings diagnose(const RobotFacts& facts) {

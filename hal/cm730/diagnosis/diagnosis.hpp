@@ -17,8 +17,6 @@ inline constexpr std::uint8_t kMostReturnDelay = 25;  // counts of 2 us
 inline constexpr Nanos kLatencySignature{8'000'000};
 /// Accepted loss rate. Others measure 0.2 to 0.4 %; a single loss is normal.
 inline constexpr double kLossAlarm = 0.01;
-/// Share of a period reserved for wake-up latency and computation.
-inline constexpr Nanos kHeadroom{1'000'000};
 
 Findings diagnose(const RobotFacts& facts);
 
@@ -26,12 +24,5 @@ Findings diagnose(const RobotFacts& facts);
 bool isSupported(const ServoFacts& servo);
 /// A CM-730, or the board model that robot.ini permits. Nothing is written to any other board or to its servos.
 bool isSupported(const RobotFacts& facts);
-
-/// Duration of a full cycle with twenty servos: bytes, return delays and USB overhead.
-Nanos cycleTime(const RobotFacts& facts);
-/// Whether the cycle fits the period. A goals-only write (most cycles) must leave kHeadroom; the full write (one cycle
-/// in 16, and those that change a speed, torque limit or gain) must fit. The USB overhead must stay within the bus's
-/// reply margin.
-bool cycleFits(const RobotFacts& facts);
 
 }  // namespace darwinop::cm730

@@ -10,7 +10,7 @@
 
 #include "hal/cm730/bridged_line.hpp"
 #include "hal/cm730/bus.hpp"
-#include "hal/cm730/diagnosis/diagnosis.hpp"
+#include "hal/cm730/diagnosis/cycle_time.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
 #include "hil-mocks/memory_line.hpp"
 #include "support/safe_commands_for_tests.hpp"

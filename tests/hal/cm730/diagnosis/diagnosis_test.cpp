@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "hal/cm730/diagnosis/chains.hpp"
+#include "hal/cm730/diagnosis/cycle_time.hpp"
 #include "hal/cm730/diagnosis/rows.hpp"
 #include "hal/cm730/diagnosis/servo_rows.hpp"
 
