@@ -61,12 +61,13 @@ TEST(EntryPoints, NothingWritesToASerialLineButWhatHasJudgedTheRobot) {
                    "hal/cm730/diagnosis/port_check.cpp", "hal/cm730/diagnosis/port_check.hpp",
                    "hal/cm730/serial_errors.cpp", "hal/cm730/serial_open.cpp", "hal/cm730/serial_port.cpp"}));
   EXPECT_EQ(filesWith({"#include \"hal/cm730/bus.hpp\""}),
-            (Files{"connect/owned_bus.hpp", "hal/cm730/bus.cpp", "hal/cm730/diagnosis/diagnosis.cpp"}));
-  EXPECT_EQ(filesWith({"writeRegisters(", "encodeWrite(", "SyncWriteEncoder"}),
-            (Files{"core/packet.cpp", "core/packet.hpp", "hal/cm730/bus.cpp",
-                   "hal/cm730/diagnosis/instruction_trial.cpp", "hal/cm730/diagnosis/observation.cpp",
-                   "hal/cm730/diagnosis/probe.cpp", "hal/cm730/diagnosis/transactions.cpp",
-                   "hal/cm730/diagnosis/transactions.hpp", "hal/cm730/goal_writer.cpp"}));
+            (Files{"connect/owned_bus.hpp", "hal/cm730/bus.cpp", "hal/cm730/diagnosis/cycle_time.cpp"}));
+  EXPECT_EQ(
+      filesWith({"writeRegisters(", "encodeWrite(", "SyncWriteEncoder"}),
+      (Files{"core/packet.cpp", "core/packet.hpp", "hal/cm730/bus.cpp", "hal/cm730/diagnosis/instruction_trial.cpp",
+             "hal/cm730/diagnosis/observation.cpp", "hal/cm730/diagnosis/probe.cpp",
+             "hal/cm730/diagnosis/probe_requests.hpp", "hal/cm730/diagnosis/transactions.cpp",
+             "hal/cm730/diagnosis/transactions.hpp", "hal/cm730/goal_writer.cpp"}));
   EXPECT_EQ(filesWith({"openSerialBus("}), (Files{"apps/runtime.cpp", "connect/connect.cpp", "connect/serial_bus.cpp",
                                                   "connect/serial_bus.hpp", "supervisor/rescue.cpp"}));
 }
