@@ -3,37 +3,12 @@
 
 #include "core/conversions.hpp"
 #include "hal/cm730/diagnosis/drawn_robot.hpp"
+#include "hal/cm730/diagnosis/draws.hpp"
 
 namespace darwinop::cm730 {
 namespace {
 
 constexpr double kObserved = 10;  // s; longer than an examination
-
-hil::ServoOptions& anyServo(RobotDraw& drawn, Rng& rng) {
-  const std::size_t i = rng.below(kJoints);
-  drawn.joints.set(i);
-  return drawn.board.servo[i];
-}
-
-std::vector<std::size_t> jointsFrom(std::size_t first) {
-  std::vector<std::size_t> joints;
-  for (std::size_t i = first; i < kJoints; ++i)
-    if (kJointTable[i].chain == kJointTable[first].chain) joints.push_back(i);
-  return joints;
-}
-
-hil::InjectedFault fault(hil::FaultKind kind, double at_s = 0, double amount = 0) {
-  hil::InjectedFault fault;
-  fault.kind = kind;
-  fault.at = hil::faultTime(at_s);
-  fault.amount = amount;
-  return fault;
-}
-
-void twoServos(Rng& rng, std::size_t& a, std::size_t& b) {
-  a = rng.below(kJoints);
-  b = (a + 1 + rng.below(kJoints - 1)) % kJoints;
-}
 
 void drawLimits(RobotDraw& drawn, Rng& rng) {
   hil::ServoOptions& servo = anyServo(drawn, rng);
