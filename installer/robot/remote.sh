@@ -4,10 +4,8 @@
 # stdin: an empty line per second is the heartbeat; another line answers a question; EOF ends everything.
 # stdout: "pose" asks what to do outside the start pose; "server PORT": the server listens on loopback.
 
-remote_link=      # folder for communication between the parts
-remote_leave=0    # 1: the PC has disconnected, or SIGTERM
 remote_claimed=0  # 1: no other remote control or controller may start
-remote_server='' remote_ears='' remote_watch=''
+remote_server=
 
 # serve_remote FORCE TERMINAL WZ HZ WHO: status 0: served and ended, 3: not in the start pose, 130: ended before.
 serve_remote() {
@@ -62,56 +60,6 @@ refuse_other_driver() {
 
 is_default_controller() { supervisor --status 2>/dev/null | grep -v '^driver' | grep -q -e "pid $1\$" -e "pid $1,"; } # PID
 
-# From here on any end also ends the server and reports the robot's state.
-attend_pc() {
-  trap 'end_remote' EXIT
-  trap 'leave_remote' TERM INT
-  remote_link=$(mktemp -d /dev/shm/darwinop-remote-XXXXXX 2>/dev/null || mktemp -d) || die "cannot create a temporary folder"
-  read_heartbeats &
-  remote_ears=$!
-  watch_pc &
-  remote_watch=$!
-  exec 3<&-
-}
-
-read_heartbeats() {
-  exec <&3 3<&- >/dev/null
-  trap - TERM INT
-  count=0
-  while IFS= read -r line; do
-    count=$((count + 1))
-    echo "$count" >"$remote_link/beats"
-    [ -z "$line" ] || { echo "$line" >"$remote_link/answer.new" && mv -f "$remote_link/answer.new" "$remote_link/answer"; }
-  done
-  kill -TERM $$ 2>/dev/null
-}
-
-# An unplugged cable does not close the connection.
-watch_pc() {
-  exec 3<&- >/dev/null
-  trap - TERM INT
-  quiet_s=0 last=
-  while sleep 1 && kill -0 $$ 2>/dev/null; do
-    seen=
-    read -r seen 2>/dev/null <"$remote_link/beats"
-    if [ "$seen" = "$last" ]; then quiet_s=$((quiet_s + 1)); else quiet_s=0 last=$seen; fi
-    [ "$quiet_s" -lt "$patience_s" ] || {
-      say "no heartbeat from the PC for $patience_s s: stopping"
-      kill -TERM $$
-      return
-    }
-  done
-  rm -rf "$remote_link"
-}
-
-# On SIGTERM: runs after the foreground command, so the present step is completed.
-leave_remote() {
-  remote_leave=1
-  [ -z "$remote_server" ] || end_server
-}
-
-end_if_requested() { [ "$remote_leave" = 0 ] || exit 130; }
-
 end_server() {
   kill -TERM "$remote_server" 2>/dev/null
   { ended_within "$end_s" "$remote_server" || kill -KILL "$remote_server"; } >/dev/null 2>&1 &
@@ -145,16 +93,6 @@ await_start_pose() {
   done
   end_if_requested
   step "start pose: ok"
-}
-
-ask_pc() { # QUESTION -> answer
-  rm -f "$remote_link/answer"
-  echo "$1"
-  until [ -s "$remote_link/answer" ]; do
-    end_if_requested
-    nap
-  done
-  read -r answer <"$remote_link/answer"
 }
 
 start_server() {
@@ -202,35 +140,4 @@ end_remote() {
   [ "$remote_claimed" = 0 ] || rm -f "$home/running"
   rm -rf "$remote_link"
   exit "$ending"
-}
-
-robot_driver() { "$home/current/bin/darwinop-runtime" --status 2>/dev/null | sed -n 's/^driver  *pid \([0-9]*\),.*/\1/p'; }
-robot_state() { "$home/current/bin/darwinop-runtime" --status 2>/dev/null | sed -n 's/^state  *//p'; }
-
-# Prints the last line. Waits for a robot that is kneeling; one that holds may still kneel, or is configured to hold.
-report_rest() {
-  looks=0 limp=0 held=0 held_longest=15  # without a reader, `say` fails
-  # A killed server has not ended its session: the safety layer ends it after gone_s.
-  [ "${status:-0}" -lt 128 ] || held_longest=60
-  while state=$(robot_state); do
-    case $state in
-      *limp*)
-        # Checked twice: a client that has just connected may be taking over.
-        [ $limp = 0 ] || { say "all joints are limp"; return; }
-        limp=1 held=0
-        ;;
-      '') say "the robot's state is unknown: no runtime responds. Check with: darwinop install --status"; return ;;
-      offline*) say "the robot's state is unknown: its board does not respond. Check its power"; return ;;
-      holding*) limp=0 held=$((held + 1)) ;;
-      driven*)
-        driver=$(robot_driver)
-        [ -z "$driver" ] || { say "the robot is now driven by another program, process $driver"; return; }
-        ;;
-      *) limp=0 held=0 ;;
-    esac
-    looks=$((looks + 1))
-    if [ $held -ge $held_longest ] || [ $looks -ge 150 ]; then break; fi
-    nap
-  done
-  say "the robot is still under torque ($state): hold it, or release it with 'darwinop runtime --release' on the robot or its MODE button"
 }
