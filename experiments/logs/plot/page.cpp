@@ -118,7 +118,7 @@ std::string htmlPage(const Figure& figure) {
       {"@STYLE@", std::string{page_parts::kLibraryStyle} + std::string{page_parts::kStyle}},
       {"@FIGURE@", figureText(figure)},
       {"@LIBRARY@", std::string{page_parts::kLibrary} + "\n" + std::string{page_parts::kSynchronizer}},
-      {"@SCRIPT@", std::string{page_parts::kScript}},
+      {"@SCRIPT@", std::string{page_parts::kSamples} + std::string{page_parts::kScript}},
   }};
   return text::filledTemplate(page_parts::kPage, parts);
 }

@@ -5,7 +5,7 @@
 
 namespace darwinop::plot::page_parts {
 
-extern const std::string_view kPage, kStyle, kScript;
+extern const std::string_view kPage, kStyle, kSamples, kScript;
 extern const std::string_view kLibrary, kLibraryStyle, kSynchronizer;
 
 }  // namespace darwinop::plot::page_parts
