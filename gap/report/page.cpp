@@ -31,7 +31,7 @@ std::string asHtml(const Report& report) {
       {"@LIBRARY_NOTE@", libraryNote()},
       {"@CURVES@", curvesAsJson(report)},
       {"@LIBRARY@", std::string{page_parts::kLibrary}},
-      {"@SCRIPT@", std::string{page_parts::kScript}},
+      {"@SCRIPT@", std::string{page_parts::kCurves} + std::string{page_parts::kScript}},
   }};
   return text::filledTemplate(page_parts::kPage, parts);
 }

@@ -6,7 +6,7 @@
 
 namespace darwinop::gap::page_parts {
 
-extern const std::string_view kPage, kStyle, kScript;
+extern const std::string_view kPage, kStyle, kCurves, kScript;
 extern const std::string_view kLibrary, kLibraryStyle;
 extern const std::string_view kPlotPage;  // has the licence of the library
 

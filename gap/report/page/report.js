@@ -4,12 +4,7 @@
   const data = JSON.parse(document.getElementById("data").textContent);
   const root = document.documentElement;
   const byId = (id) => document.getElementById(id);
-  const kinds = [
-    { key: "goal", label: "goal", dashed: true },
-    { key: "measured", label: "measured" },
-    { key: "before", label: "before" },
-    { key: "after", label: "after" },
-  ];
+  const { kinds, rowsOf, valuesAt } = curvesOf(data);
   const visible = { goal: true, measured: true, before: true, after: true };
   let current = 0;
   let marked = null; // [from, to] that a link named, s
@@ -19,7 +14,6 @@
   const dark = () => root.classList.contains("dark");
   const inkOf = (name) => getComputedStyle(root).getPropertyValue("--" + name).trim();
   const colour = (key) => (key === "measured" ? inkOf("ink") : key === "goal" ? inkOf("floor") : inkOf(key));
-  const scaled = (values, unit) => values.map((v) => (v === null ? NaN : v * unit));
   const shortNumber = (v, digits) => (Number.isFinite(v) ? v.toFixed(digits) : "–");
 
   function element(kind, parent, text) {
@@ -27,16 +21,6 @@
     if (text !== undefined) made.textContent = text;
     parent.appendChild(made);
     return made;
-  }
-
-  // Angles in rad, differences in mrad.
-  function rowsOf(log) {
-    const t = scaled(log.t, data.time_unit_s);
-    const angle = {};
-    for (const kind of kinds) angle[kind.key] = scaled(log[kind.key], data.angle_unit_rad);
-    const position = t.map((x, i) => [x].concat(kinds.map((kind) => angle[kind.key][i])));
-    const off = (key, i) => 1000 * (angle.measured[i] - angle[key][i]);
-    return { position, difference: t.map((x, i) => [x, off("before", i), off("after", i)]) };
   }
 
   // The interval that a link named, and the band of noise.
@@ -89,12 +73,8 @@
   }
 
   function showValues(x) {
-    const log = data.logs[current];
-    let best = 0;
-    log.t.forEach((t, i) => {
-      if (Math.abs(t * data.time_unit_s - x) < Math.abs(log.t[best] * data.time_unit_s - x)) best = i;
-    });
-    const value = (key) => shortNumber(log[key][best] === null ? NaN : log[key][best] * data.angle_unit_rad, 4);
+    const values = valuesAt(data.logs[current], x);
+    const value = (key) => shortNumber(values[key], 4);
     byId("at").textContent = " at " + shortNumber(x, 3) + " s: measured " + value("measured") + ", before " +
       value("before") + ", after " + value("after");
   }
