@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # The Transfer tab of the robot window: real installer, real sshd, real browser. What it does
-# there: tests/window/transfer_lab.mjs and transfer_versions_lab.mjs.
+# there: tests/window/transfer/transfer_lab.mjs and transfer_versions_lab.mjs.
 # shellcheck disable=SC2154  # controller_lab.sh and robot.sh set what is read here
 . "$(dirname "$(readlink -f "$0")")/controller_lab.sh"
 
-# in_browser FILE [NAME=VALUE...]: tests of tests/window, with the lab about them.
+# in_browser FILE [NAME=VALUE...]: tests of tests/window/transfer, with the lab about them.
 in_browser() {
   env LAB="$LAB" ROBOT="$ROBOT" DARWINOP_BIN="${DARWINOP_BIN:-$SOURCE/build/debug/bin}" \
     DARWINOP_NPM="${DARWINOP_NPM:-$SOURCE/build/npm/node_modules}" "${@:2}" \
-    node --test "$SOURCE/tests/window/$1" >"$LAB/out" 2>&1 || { cat "$LAB/out"; fail "see above"; }
+    node --test "$SOURCE/tests/window/transfer/$1" >"$LAB/out" 2>&1 || { cat "$LAB/out"; fail "see above"; }
   cat "$LAB/out" >>"$LAB/history"
 }
 

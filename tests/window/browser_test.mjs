@@ -5,7 +5,7 @@ import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {rng, kMessages, spoilt} from './hostile_messages.mjs';
+import {rng, kMessages, spoilt} from './page/hostile_messages.mjs';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'darwinop-window-'));

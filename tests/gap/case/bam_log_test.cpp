@@ -1,0 +1,180 @@
+// Logs of BAM: read, recognized, written, and read again.
+#include "gap/case/bam_log.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+
+#include "gap/case/case_texts.hpp"
+#include "gap/case/messages.hpp"
+#include "gap/case/parse_case.hpp"
+#include "gap/case/write_case.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A log of 200 rows; `load` and `torque` are texts of numbers by row.
+std::string bamText(const std::function<std::string(int)>& load, const std::function<std::string(int)>& torque,
+                    const std::string& head = "\"kp\": 32, \"motor\": \"mx106\"") {
+  std::string entries;
+  for (int i = 0; i < 200; ++i) {
+    const double t = 0.0125 * i;
+    entries += (i == 0 ? "" : ",") + std::string{"{\"timestamp\": "} + std::to_string(t) +
+               ", \"goal_position\": " + std::to_string(0.5 * std::sin(3 * t)) +
+               ", \"position\": " + std::to_string(0.5 * std::sin(3 * (t - 0.03))) + ", \"torque_enable\": true" +
+               ", \"load\": " + load(i) + ", \"torque\": " + torque(i) +
+               ", \"input_volts\": 12.1, \"current\": 0.5, \"speed\": 0}";
+  }
+  return "{\"mass\": 0.5, \"arm_mass\": 0.1, \"length\": 0.15, \"vin\": 12, \"trajectory\": \"sine\", " + head +
+         ", \"entries\": [" + entries + "]}";
+}
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream{path} << text;
+}
+
+std::string zero(int) {
+  return "0";
+}
+
+TEST(BamLog, TheHeadIsTheBenchOfTheLog) {
+  const Trajectory log = parseBamLog(bamText(zero, zero), "a.json", "a").log;
+  EXPECT_EQ(log.file, "a.csv");
+  EXPECT_EQ(log.kind, "sine");
+  EXPECT_EQ(log.p_register, 32);
+  EXPECT_EQ(log.payload_kg, 0.5);
+  EXPECT_EQ(log.length_m, 0.15);
+  EXPECT_EQ(log.arm_mass_kg, 0.1);
+  EXPECT_EQ(log.supply_v, 12);
+  EXPECT_EQ(log.rows(), 200u);
+  EXPECT_EQ(log.volt_v[5], 12.1);
+  EXPECT_TRUE(std::isnan(log.temp_c[5]) && std::isnan(log.load[5])) << "absent, or 0 in every row: not measured";
+}
+
+TEST(BamLog, TorqueStandsForALoadOfZero) {
+  const BamLog read = parseBamLog(bamText(zero, [](int i) { return std::to_string(i < 100 ? 250 : 1'274); }), "a", "a");
+  EXPECT_NEAR(read.log.load[0], 0.25, 1e-12);
+  EXPECT_NEAR(read.log.load[150], -0.25, 1e-12);
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_THAT(read.notes[0], HasSubstr(messages::kLoadIsZero));
+}
+
+TEST(BamLog, TheUnitOfALoadFollowsFromTheWholeColumn) {
+  const auto load = [](const char* one, const char* other,
+                       const std::string& head = "\"kp\": 32, \"motor\": \"mx106\"") {
+    return parseBamLog(bamText([&](int i) { return i < 100 ? one : other; }, zero, head), "a", "a").log.load[150];
+  };
+  EXPECT_NEAR(load("0.2", "-0.25"), -0.25, 1e-12);
+  EXPECT_NEAR(load("20.5", "-25"), -0.25, 1e-12);
+  EXPECT_NEAR(load("200", "-250"), -0.25, 1e-12);
+  EXPECT_NEAR(load("200", "65286"), -0.25, 1e-12);
+  EXPECT_NEAR(load("200", "65093", "\"kp\": 400, \"motor\": \"xl330\""), -443.0 / 885, 1e-12);
+  EXPECT_TRUE(std::isnan(load("200", "99999999")));
+}
+
+TEST(BamLog, OnlyTwosComplementIsTheDutyOfAnXSeries) {
+  const auto load = [](int i) { return std::to_string(i < 100 ? 250 : 1'274); };
+  const BamLog read = parseBamLog(bamText(load, zero, "\"kp\": 400, \"motor\": \"xl330\""), "a", "a");
+  EXPECT_NEAR(read.log.load[150], -0.25, 1e-12);
+}
+
+TEST(BamLog, WhatIsAssumedIsNoted) {
+  const auto notes = [](std::string text, const std::string& what, const std::string& by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what))
+      text.replace(at, what.size(), by);
+    return parseBamLog(text, "a.json", "a").notes;
+  };
+  const std::string text = bamText(zero, zero);
+  EXPECT_THAT(parseBamLog(text, "a.json", "a").notes, ElementsAre(HasSubstr(messages::kLoadIsZero)));
+  EXPECT_THAT(notes(text, "\"load\": 0, \"torque\": 0, ", ""), ElementsAre());
+  EXPECT_THAT(notes(text, "\"torque_enable\": true, ", ""),
+              ElementsAre(HasSubstr(messages::kLoadIsZero), HasSubstr("200" + std::string{messages::kNoTorqueEnable})));
+}
+
+TEST(BamLog, IsRefusedWithoutRowsOrCommands) {
+  const auto error = [](const std::string& text) {
+    try {
+      (void)parseBamLog(text, "a.json", "a");
+    } catch (const BadInput& refused) {
+      return std::string{refused.what()};
+    }
+    return std::string{};
+  };
+  EXPECT_THAT(error("[]"), HasSubstr(messages::kNotJsonObject));
+  EXPECT_THAT(error(R"({"kp": 1, "mass": 1, "length": 0.1, "entries": []})"), HasSubstr(messages::kMissing));
+  EXPECT_THAT(error(R"({"kp": 1, "mass": 1, "length": 0.1, "entries": [{"timestamp": 1}]})"),
+              HasSubstr(messages::kNotBamRow));
+  EXPECT_THAT(error(R"({"kp": 1, "mass": 1, "length": 0.1, "entries": [3]})"), HasSubstr(messages::kNotBamRow));
+}
+
+TEST(BamLog, WhatIsWrittenIsReadBack) {
+  const Case c = CaseTexts{}.read();
+  const Trajectory& log = c.logs[0];
+  const Trajectory back = parseBamLog(asBamJson(c, log, "mx28"), "a.json", "fit_1").log;
+  EXPECT_EQ(back.file, log.file);
+  EXPECT_EQ(back.p_register, log.p_register);
+  EXPECT_EQ(back.length_m, armOf(c, log).length_m);
+  EXPECT_EQ(back.supply_v, supplyOf(c, log));
+  EXPECT_EQ(back.time_s, log.time_s);
+  EXPECT_EQ(back.goal_rad, log.goal_rad);
+  EXPECT_EQ(back.position_rad, log.position_rad);
+  EXPECT_EQ(back.load, log.load);
+  EXPECT_EQ(back.volt_v, log.volt_v);
+}
+
+TEST(BamLog, AFolderBecomesACaseOfSeveralArms) {
+  const TemporaryFolder folder, out;
+  const std::string model = out / "model.ini";
+  write(model, "[model]\nname = any\n");
+  write(folder / "a.json", bamText(zero, zero));
+  write(folder / "b.json", replaced(bamText(zero, zero), "\"length\": 0.15", "\"length\": 0.1"));
+  write(folder / "c.json", replaced(bamText(zero, zero), "\"kp\": 32", "\"kp\": 64"));
+  const BamCase read = readBamFolder(folder / "", model, {});
+  ASSERT_EQ(read.given.logs.size(), 3u);
+  EXPECT_FALSE(read.given.logs[0].held_out);
+  EXPECT_TRUE(read.given.logs[2].held_out) << "another gain shows whether the model generalizes";
+  writeCase(read.given, out / "case");
+  const Case back = readCase(out / "case");
+  EXPECT_EQ(armOf(back, back.logs[0]).length_m, 0.15);
+  EXPECT_EQ(armOf(back, back.logs[1]).length_m, 0.1);
+  EXPECT_EQ(back.logs[1].current_a[5], 0.5);
+  EXPECT_EQ(back.goal_order, GoalOrder::kBeforeRead);
+  EXPECT_TRUE(readBamFolder(folder / "", model, {"b.json"}).given.logs[1].held_out);
+}
+
+TEST(BamLog, OfOneGainTheLastQuarterIsHeldOut) {
+  const TemporaryFolder folder, out;
+  const std::string model = out / "model.ini";
+  write(model, "[model]\nname = any\n");
+  std::vector<long> held;
+  for (const char* const name : {"a.json", "b.json", "c.json", "d.json", "e.json"}) {
+    write(folder / name, bamText(zero, zero));
+    const BamCase read = readBamFolder(folder / "", model, {});
+    held.push_back(std::ranges::count_if(read.given.logs, &Trajectory::held_out));
+  }
+  EXPECT_THAT(held, ElementsAre(0, 1, 1, 1, 2)) << "a lone log is fitted";
+}
+
+TEST(BamLog, AHeldOutLogThatIsNotThereIsRefused) {
+  const TemporaryFolder folder, out;
+  const std::string model = out / "model.ini";
+  write(model, "[model]\nname = any\n");
+  write(folder / "a.json", bamText(zero, zero));
+  write(folder / "b.json", bamText(zero, zero));
+  try {
+    (void)readBamFolder(folder / "", model, {"a.json", "chirp.json"});
+    ADD_FAILURE();
+  } catch (const BadInput& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("chirp.json" + std::string{messages::kNotLogOfFolder}));
+  }
+}
+
+}  // namespace
+}  // namespace darwinop::gap

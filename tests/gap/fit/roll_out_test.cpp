@@ -1,0 +1,198 @@
+// A log run again on a model.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "core/conversions.hpp"
+#include "gap/fit/unknown.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/plant/position_error.hpp"
+#include "gap/plant/row_state.hpp"
+#include "gap/small_case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+Trace traceOf(const Case& bench, std::size_t log, const Hypothesis& model, const Disturbance* disturbance = nullptr) {
+  Trace trace;
+  rollOut(bench, log, model, {.disturbance = disturbance}, trace);
+  return trace;
+}
+
+std::size_t firstRowBeyond(const std::vector<double>& values, double limit) {
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (std::abs(values[row] - values[0]) > limit) return row;
+  return values.size();
+}
+
+TEST(RollOut, AGoalWrittenBeforeTheReadActsOneRowEarlier) {
+  Case bench = smallBench();
+  bench.logs[0].position_rad.assign(bench.logs[0].rows(), 0);
+  const std::size_t after = firstRowBeyond(traceOf(bench, 0, baselineOf(bench))[kLoadSignal], 0.1);
+  bench.goal_order = GoalOrder::kBeforeRead;
+  const std::size_t before = firstRowBeyond(traceOf(bench, 0, baselineOf(bench))[kLoadSignal], 0.1);
+  EXPECT_EQ(after, before + 1);
+}
+
+TEST(RollOut, AMaskedPositionLiesBetweenItsNeighbours) {
+  Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
+  Trajectory& log = bench.logs[2];
+  log.position_rad[40] = log.position_rad[41] = log.position_rad[0] = std::nan("");
+  const double from = log.position_rad[39], to = log.position_rad[42];
+  EXPECT_NEAR(knownPosition(log, 40), from + (to - from) / 3, 1e-9);
+  EXPECT_EQ(knownPosition(log, 0), log.position_rad[1]);
+  EXPECT_NEAR(stateAt(log, 40).position_rad, knownPosition(log, 40), 0.02);
+  // Neither rows nor windows that end there count, all others do.
+  const Hypothesis model = baselineOf(bench);
+  EXPECT_GT(rmsPositionError(plantOf(bench), bench, model, LogRole::kFit), 0);
+  for (const Trajectory& one : bench.logs)
+    for (const Block block : plantOf(bench).blocks()) {
+      const BlockResiduals residuals = plantOf(bench).blockResiduals(block, {}, bench, one, model, {});
+      for (Eigen::Index i = 0; i < residuals.residual.size(); ++i)
+        ASSERT_LT(std::isnan(residuals.residual[i]) ? 0 : std::abs(residuals.residual[i]), 0.2);
+    }
+}
+
+TEST(RollOut, EachLogHasItsOwnBench) {
+  Case bench = smallBench();
+  const double longer_m = 1.5 * bench.pendulum.length_m, heavier_kg = 0.2;
+  Case other = bench;
+  other.pendulum.length_m = longer_m;
+  other.pendulum.arm_mass_kg = heavier_kg;
+  other.model.servo.supply_v = 10;
+  Trajectory& own = bench.logs[2];
+  const Trace of_case = traceOf(bench, 2, baselineOf(bench));
+  own.length_m = longer_m;
+  own.arm_mass_kg = heavier_kg;
+  own.supply_v = 10;
+  const Trace trace = traceOf(bench, 2, baselineOf(bench));
+  const std::vector<double> expected = traceOf(other, 2, baselineOf(other))[kPositionSignal];
+  ASSERT_EQ(trace[kPositionSignal].size(), expected.size());
+  for (std::size_t row = 0; row < expected.size(); ++row) {
+    ASSERT_NEAR(trace[kPositionSignal][row], expected[row], 1e-9);
+    ASSERT_NEAR(trace[kSupplySignal][row], 10, 1e-9);
+  }
+  EXPECT_NE(trace[kPositionSignal], of_case[kPositionSignal]);
+  // A length that a fit changes scales every arm, and stays when the model becomes that of the case.
+  Hypothesis longer = baselineOf(bench);
+  longer.pendulum.length_m *= 1.1;
+  EXPECT_NEAR(armOf(bench, own, longer).length_m, 1.1 * longer_m, 1e-12);
+  const Case with = withModel(bench, longer);
+  EXPECT_NEAR(armOf(with, with.logs[2], baselineOf(with)).length_m, 1.1 * longer_m, 1e-12);
+  EXPECT_EQ(armOf(bench, bench.logs[0], baselineOf(bench)).length_m, bench.pendulum.length_m);
+}
+
+TEST(RollOut, ALimpServoShowsNoLoadAndTheArmFalls) {
+  const Case bench = smallBench();
+  const Trace trace = traceOf(bench, 2, baselineOf(bench));
+  const std::size_t off = 33;  // rows after 0.5 s
+  EXPECT_GT(trace[kLoadSignal][off - 5], 0.05) << "held against gravity";
+  for (std::size_t row = off + 1; row < trace[kLoadSignal].size(); ++row) ASSERT_EQ(trace[kLoadSignal][row], 0) << row;
+  EXPECT_NEAR(trace[kPositionSignal][off - 5], 1.2, 0.1);
+  EXPECT_LT(*std::min_element(trace[kPositionSignal].begin(), trace[kPositionSignal].end()), -0.3)
+      << "it swings through";
+}
+
+TEST(RollOut, WithDisturbanceItIsInTicksAndDiffersFromSeedToSeed) {
+  const Case bench = smallBench();
+  const Disturbance one{.seed = 1}, two{.seed = 2};
+  const Trace a = traceOf(bench, 1, baselineOf(bench), &one), again = traceOf(bench, 1, baselineOf(bench), &one),
+              b = traceOf(bench, 1, baselineOf(bench), &two);
+  EXPECT_EQ(a[kPositionSignal], again[kPositionSignal]);
+  EXPECT_NE(a[kPositionSignal], b[kPositionSignal]);
+  for (const double position : a[kPositionSignal]) {
+    const double ticks = position / kRadPerTick;
+    ASSERT_NEAR(ticks, std::round(ticks), 1e-6);
+  }
+  double worst = 0;
+  for (std::size_t row = 0; row < a[kPositionSignal].size(); ++row)
+    worst = std::max(worst, std::abs(a[kPositionSignal][row] - b[kPositionSignal][row]));
+  EXPECT_LT(worst, 8 * kRadPerTick) << "a bench repeats itself";
+}
+
+TEST(RollOut, TheLogsTemperatureIsTheServos) {
+  Case bench = smallBench();
+  Hypothesis warm = withEffect(bench, "temp_drift", "rate", 0.05);
+  const Trace cold = traceOf(bench, 2, warm);
+  bench.logs[2].temp_c.assign(bench.logs[2].rows(), 45);
+  const Trace hot = traceOf(bench, 2, warm);
+  const auto lowest = [](const Trace& t) {
+    return *std::min_element(t[kPositionSignal].begin(), t[kPositionSignal].end());
+  };
+  EXPECT_LT(lowest(hot), lowest(cold) - 0.02) << "thin grease brakes less";
+}
+
+TEST(Hypothesis, KeepsEffectsInTheOrderInWhichTheyAct) {
+  const Case bench = smallBench();
+  Hypothesis model = baselineOf(bench);
+  model.with(*twin::findEffect("temp_drift"));
+  model.with(*twin::findEffect("coulomb"));
+  std::vector<const twin::EffectInfo*> wanted;
+  for (const auto* effect : twin::catalogue())
+    if (model.find(effect->id) != nullptr) wanted.push_back(effect);
+  ASSERT_EQ(model.effects.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(model.effects[i].info, wanted[i]);
+  model.without("coulomb");
+  EXPECT_EQ(model.find("coulomb"), nullptr);
+  EXPECT_THROW(valueOf(*model.find("viscous"), "friction"), std::logic_error);
+}
+
+TEST(ForEach, DoesEachOnceAndPassesOnWhatFails) {
+  std::vector<std::atomic<int>> done(100);
+  forEach(done.size(), [&](std::size_t i) { ++done[i]; });
+  for (const auto& count : done) EXPECT_EQ(count, 1);
+  EXPECT_THROW(forEach(10,
+                       [](std::size_t i) {
+                         if (i == 7) throw std::runtime_error("seven");
+                       }),
+               std::runtime_error);
+  forEach(2, [](std::size_t) { forEach(2, [](std::size_t) {}); });  // within itself: does not hang
+}
+
+TEST(BenchPlant, TracesHaveAColumnForEachSignalAndAValueForEachRow) {
+  const Case bench = smallBench();
+  const Plant& plant = plantOf(bench);
+  Trace trace;
+  plant.rollOut(bench, 1, baselineOf(bench), {}, trace);
+  ASSERT_EQ(trace.columns.size(), plant.signals().size());
+  for (const auto& column : trace.columns) EXPECT_EQ(column.size(), bench.logs[1].rows());
+  EXPECT_EQ(plant.signals()[kPositionSignal].kind, Signal::Kind::kPosition);
+  EXPECT_EQ(plant.signals()[kSupplySignal].kind, Signal::Kind::kSupply);
+}
+
+TEST(BenchPlant, HasResidualsOfEveryBlockThatIsMeasured) {
+  const Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
+  const Plant& plant = plantOf(bench);
+  const auto known = [&](Block block) {
+    const auto found =
+        plant.blockResiduals(block, plant.places().front(), bench, bench.logs[1], baselineOf(bench), {}).residual;
+    return found.array().isNaN().count() < found.size();
+  };
+  EXPECT_TRUE(known(Block::kController));
+  EXPECT_TRUE(known(Block::kPlant));
+  EXPECT_FALSE(known(Block::kSupply)) << "the logs have no voltage";
+  EXPECT_FALSE(known(Block::kSensor)) << "the logs have no speed";
+}
+
+TEST(Hypothesis, HasAnEffectOnceAPlace) {
+  const twin::EffectInfo& friction = *twin::findEffect("coulomb");
+  const Place ankle{Place::Kind::kJoint, "AnkleR"}, knee{Place::Kind::kJoint, "KneeR"};
+  Hypothesis robot;
+  for (const Place& place : {ankle, knee, ankle}) robot.with(friction, place).values[0] += 0.1;
+  ASSERT_EQ(robot.effects.size(), 2u);
+  EXPECT_EQ(robot.find("coulomb", ankle)->values[0], 0.2);
+  EXPECT_EQ(robot.find("coulomb", knee)->values[0], 0.1);
+  EXPECT_EQ(robot.find("coulomb"), nullptr);
+
+  const auto unknowns = unknownsOf(friction, false, knee);
+  EXPECT_EQ(unknowns[0].name, "KneeR.coulomb.friction");
+  const double x = unknowns[0].toSearch(0.05);
+  robot = applied(robot, unknowns, &x);
+  EXPECT_NEAR(robot.find("coulomb", knee)->values[0], 0.05, 1e-12);
+  robot.without("coulomb", ankle);
+  EXPECT_EQ(robot.effects.size(), 1u);
+}
+
+}  // namespace
+}  // namespace darwinop::gap

@@ -1,0 +1,145 @@
+// Who is suspected, before any fit.
+#include "gap/identify/screen.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/identify/cross_validation.hpp"
+#include "gap/identify/ripple_starts.hpp"
+#include "gap/identify/start_grid.hpp"
+#include "gap/small_case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+FittedModel fitWith(const Study& study, const Effects& effects, Nuisance nuisance, int rounds = 1) {
+  const Problem problem = problemWith(study, study.evidence, effects, nuisance);
+  Fit start;
+  start.x = problem.expected();
+  return refit(study, effects, nuisance, problem, start, rounds);
+}
+
+FittedModel baselineOn(const Study& study, Nuisance nuisance) {
+  return fitWith(study, {}, nuisance);
+}
+
+TEST(Judge, ANumberWithinItsPriorHasToGainWhatAnyEffectHasTo) {
+  const Case bench = smallBench();  // its payload is known to 1 %
+  const Study study{bench, {.runs = 2, .disturbance = {}}};
+  const auto least = [&](const char* effect, const char* key, double value) {
+    return leastGain(study, withEffect(bench, effect, key, value), *twin::findEffect(effect), 16);
+  };
+  EXPECT_EQ(least("com_mass", "mass", 0.01), 16);
+  EXPECT_EQ(least("com_mass", "mass", -0.05), thresholds::kPriorReleaseGain);
+  EXPECT_EQ(least("viscous", "damping", 0.02), 16) << "nobody has said how well it is known";
+  EXPECT_EQ(least("encoder_offset", "offset", 0.05), 16);
+}
+
+const twin::EffectInfo* const kEffects[] = {twin::findEffect("encoder_offset"), twin::findEffect("transport_delay"),
+                                            twin::findEffect("supply_sag")};
+
+TEST(Screen, WhatIsMissingPromisesMost) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 21);
+  const Study study{given};
+  const FittedModel present = baselineOn(study, Nuisance::kFixed);
+  const Screen screen{present, {std::begin(kEffects), std::end(kEffects)}};
+  EXPECT_EQ(screen.candidates().front().effect->id, "encoder_offset");
+  EXPECT_GT(screen.candidates().front().predicted_gain, 100);
+}
+
+TEST(Screen, ASharpenedProbeIsWhereTheTruthIs) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 22);
+  const Study study{given};
+  const FittedModel present = baselineOn(study, Nuisance::kFree);
+  const Screen screen{present, {twin::findEffect("encoder_offset")}};
+  const Candidate first = screen.candidates().front();
+  const RefinedStart sharp = screen.refinedStart(first);
+  EXPECT_NEAR(sharp.candidate.values[0], 0.03, 0.003);
+  EXPECT_GT(sharp.candidate.predicted_gain, 0.9 * first.predicted_gain);
+}
+
+TEST(Screen, NoisePromisesLittle) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, baselineOf(bench), 23);
+  const Study study{given};
+  const FittedModel present = baselineOn(study, Nuisance::kFixed);
+  const Screen screen{present, {std::begin(kEffects), std::end(kEffects)}};
+  EXPECT_LT(screen.candidates().front().predicted_gain, 30);
+  EXPECT_LT(screen.greatestPredictedGain(Eigen::VectorXd::Zero(present.evidence->size())), 1e-9);
+}
+
+// With 0.06 N m sixteen times a turn, an arm comes to rest in other dips than without: what is linear over a whole log
+// has nothing to say.
+TEST(Screen, ARippleIsSeenInShortWindows) {
+  const Case bench = smallBench();
+  Hypothesis truth = baselineOf(bench);
+  truth.with(*twin::findEffect("cogging")).values = {0.06, 16, -1.46};
+  const Case given = measured(bench, truth, 27);
+  const Study study{given};
+  const std::vector<Candidate> ripples = ripplesOf(baselineOn(study, Nuisance::kFixed));
+  ASSERT_FALSE(ripples.empty());
+  EXPECT_NEAR(ripples.front().values[0], 0.06, 0.015);
+  EXPECT_EQ(ripples.front().values[1], 16);
+  EXPECT_NEAR(ripples.front().values[2], -1.46, 0.2);
+}
+
+TEST(Grid, HasBothSidesOfWhereAnEffectDoesNothing) {
+  double least = 0, greatest = 0, strictest = 1, mildest = 0;
+  for (const auto& point : gridOf(unknownsOf(*twin::findEffect("temp_drift")))) {
+    least = std::min(least, point[0]);
+    greatest = std::max(greatest, point[0]);
+  }
+  EXPECT_LT(least, -0.01) << "grease that gets stiff";
+  EXPECT_GT(greatest, 0.05);
+  for (const auto& point : gridOf(unknownsOf(*twin::findEffect("torque_limit")))) {
+    strictest = std::min(strictest, point[0]);
+    mildest = std::max(mildest, point[0]);
+  }
+  EXPECT_LT(strictest, 0.35);
+  EXPECT_GT(mildest, 0.95) << "1 is not a limit";
+  EXPECT_LT(mildest, 1);
+}
+
+FittedModel effectOn(const Study& study, std::string_view effect) {
+  return fitWith(study, {{twin::findEffect(effect)}}, Nuisance::kFixed);
+}
+
+TEST(CrossValidation, WhatIsMissingHelpsOnLogsThatWereNotFitted) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 25);
+  const Study study{given};
+  const CrossValidation validation =
+      crossValidate(baselineOn(study, Nuisance::kFixed), effectOn(study, "encoder_offset"));
+  EXPECT_EQ(validation.logs, 3);
+  EXPECT_TRUE(validation.improves());
+  EXPECT_GT(validation.mean, std::log(2));
+}
+
+TEST(CrossValidation, WhatIsNotThereDoesNot) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 26);
+  const Study study{given};
+  EXPECT_FALSE(crossValidate(baselineOn(study, Nuisance::kFixed), effectOn(study, "supply_sag")).improves());
+}
+
+TEST(Estimates, WhatTheDataSayNothingAboutIsLeftNeutral) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "torque_limit", "duty", 0.6), 24);
+  const twin::EffectInfo& limit = *twin::findEffect("torque_limit");
+  const Study study{given};
+  const FittedModel fitted = fitWith(study, {{&limit}}, Nuisance::kFixed, 2);
+  const std::vector<Estimate> estimates = estimatesOf(fitted, limit, 1);
+  ASSERT_EQ(estimates.size(), 2U);
+  EXPECT_TRUE(estimates[0].seen);
+  EXPECT_NEAR(estimates[0].value, 0.6, 0.01);
+  EXPECT_FALSE(estimates[1].seen) << "a torque that the motor never reaches limits nothing";
+  EXPECT_EQ(withoutUndetermined(fitted).find("torque_limit")->values[1], limit.parameters[1].neutral);
+}
+
+}  // namespace
+}  // namespace darwinop::gap

@@ -1,0 +1,159 @@
+// Findings written to model files: reading them back gives the same model; nonsense is refused.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/text/nearest.hpp"
+#include "gap/report/data_hash.hpp"
+#include "gap/report/line_diff.hpp"
+#include "gap/report/model_text.hpp"
+#include "gap/report/report_rig.hpp"
+#include "twin/model/sections.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kModel =
+    "; my servo\n[model]\nname = mine\n\n[servo]\nkt = 1.8 N m/A  ; measured on Monday\nresistance = 8 ohm\n\n"
+    "; as new\n[effect viscous]\ndamping = 0.01 N m s/rad\n";
+
+std::string repairedModel(const ReportRig& rig) {
+  return withAdditions(caseModel(rig.given), additionsOf(rig.given, rig.outcome, dataHash(rig.given)));
+}
+
+std::string sentenceOf(const std::function<void()>& wrong) {
+  try {
+    wrong();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(RepairedModel, ReadBackIsTheHypothesisThatWasFound) {
+  const ReportRig rig;
+  const Case again = withModel(rig.given, twin::parseModel(repairedModel(rig), "repaired.ini"));
+  const Hypothesis read = baselineOf(again), found = rig.outcome.identification.model;
+  EXPECT_EQ(movedNumbers(read.servo, rig.given.model.servo).size(), 1U) << "kt, nothing else";
+  EXPECT_NEAR(read.servo.kt_nm_a, found.servo.kt_nm_a, 1e-5);
+  ASSERT_EQ(read.effects.size(), found.effects.size());
+  for (std::size_t i = 0; i < read.effects.size(); ++i) {
+    EXPECT_EQ(read.effects[i].info, found.effects[i].info);
+    ASSERT_EQ(read.effects[i].values.size(), found.effects[i].values.size());
+    for (std::size_t j = 0; j < read.effects[i].values.size(); ++j)
+      EXPECT_NEAR(read.effects[i].values[j], found.effects[i].values[j], 1e-6);
+  }
+}
+
+TEST(RepairedModel, HasIntervalsAndSourceInComments) {
+  const ReportRig rig;
+  for (const char* comment :
+       {"; Found by darwinop gap in the logs of case e<1>", "; friction: 90 % interval 0.0401 to 0.0447 N m",
+        "; sha256 of the data: aaaa", "; was 1.786 N m/A", "; Moved by the fit"})
+    EXPECT_THAT(rig.report.model_after, HasSubstr(comment));
+}
+
+TEST(RepairedModel, IsMadeAgainFromTheReport) {
+  const ReportRig rig;
+  const Additions additions = additionsIn(asJson(rig.report).dump(), "report.json", rig.given);
+  EXPECT_EQ(withAdditions(caseModel(rig.given), additions), rig.report.model_after);
+}
+
+TEST(RepairedModel, IsMadeFromTheResultsOfASuite) {
+  const ReportRig rig;
+  const nlohmann::json results{badInput("other", "no logs"), asJson(rig.given, rig.outcome)};
+  const std::string text = withAdditions(caseModel(rig.given), additionsIn(results.dump(), "results.json", rig.given));
+  EXPECT_THAT(text, HasSubstr("friction = 0.0423 N m"));
+}
+
+TEST(RepairedModel, NamesRivalsThatTheDataDoNotExclude) {
+  ReportRig rig;
+  rig.outcome.identification.verdict = Verdict::kAmbiguous;
+  rig.outcome.identification.rivals.front().behind = 3;
+  EXPECT_THAT(repairedModel(rig), HasSubstr("; Not certain: deadband explains the logs"));
+}
+
+TEST(ServoNumber, ChangesItsLineAndNoOther) {
+  const std::string text = withServoNumber(kModel, "kt", 1.75);
+  EXPECT_THAT(text, HasSubstr("\nkt = 1.75 N m/A  ; was 1.8 N m/A\nresistance = 8 ohm\n"));
+  EXPECT_THAT(text, HasSubstr("; my servo\n"));
+  EXPECT_THAT(withServoNumber(kModel, "armature", 0.004), HasSubstr("resistance = 8 ohm\narmature = 0.004 kg m2"));
+  EXPECT_THAT(withServoNumber("[model]\nname = mine", "kt", 1.75), HasSubstr("\n[servo]\nkt = 1.75 N m/A"));
+}
+
+TEST(ServoNumber, OfAnUnknownNameIsRefused) {
+  EXPECT_THAT(sentenceOf([] { withServoNumber(kModel, "ktt", 1.75); }), HasSubstr("did you mean kt?"));
+  EXPECT_THAT(sentenceOf([] { withServoNumber(kModel, "kt", -1); }), HasSubstr("kt"));
+}
+
+TEST(AddByHand, PutsEffectsIntoTheFileAndLeavesItsComments) {
+  const std::string text =
+      withAdditions(kModel, additionsFrom({"stribeck.friction=0.06", "stribeck.speed=0.2", "coulomb.friction=0.05"}));
+  EXPECT_THAT(text, HasSubstr("; as new\n[effect viscous]"));
+  EXPECT_THAT(text, HasSubstr("[effect coulomb]\nfriction = 0.05 N m"));
+  EXPECT_THAT(text, HasSubstr("[effect stribeck]\nfriction = 0.06 N m\nspeed = 0.2 rad/s"));
+  EXPECT_THAT(text, HasSubstr("exponent: " + std::string{messages::kTypicalValue}));
+}
+
+struct Refused {
+  const char* effect;
+  std::string says;
+};
+class AddNonsense : public testing::TestWithParam<Refused> {};
+
+TEST_P(AddNonsense, IsRefusedWithASentence) {
+  EXPECT_THAT(sentenceOf([] { withAdditions(kModel, additionsFrom({GetParam().effect})); }),
+              HasSubstr(GetParam().says));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AddNonsense,
+                         testing::Values(Refused{"coulomb", "write ID.PARAMETER=VALUE"},
+                                         Refused{"coulmb.friction=0.05", text::suggestion("coulmb", twin::effectIds())},
+                                         Refused{"coulomb.fricton=0.05", "did you mean friction?"},
+                                         Refused{"coulomb.friction=5", "give 0 to 0.3 N m"},
+                                         Refused{"coulomb.friction=nan", "give 0 to 0.3 N m"},
+                                         Refused{"coulomb.friction=0.05 N m", messages::kUnitNotAllowed},
+                                         Refused{"coulomb.friction=", messages::kUnitNotAllowed}));
+
+TEST(AddByHand, TheSameParameterTwiceIsRefused) {
+  EXPECT_THAT(sentenceOf([] {
+                additionsFrom({"coulomb.friction=0.05", "coulomb.friction=0.06"});
+              }),
+              HasSubstr(messages::kNumberGivenTwice));
+}
+
+TEST(AddResults, ThatNameNothingAreRefused) {
+  ReportRig rig;
+  const auto sentence = [&](const std::string& text) {
+    return sentenceOf([&] { additionsIn(text, "report.json", rig.given); });
+  };
+  rig.outcome.identification.verdict = Verdict::kNone;
+  EXPECT_THAT(sentence(asJson(rig.report).dump()), HasSubstr("report.json: nothing is missing by this result"));
+  rig.outcome.identification.verdict = Verdict::kUnknown;
+  EXPECT_THAT(sentence(asJson(rig.report).dump()), AllOf(HasSubstr("unknown"), HasSubstr(messages::kNamesNoEffect)));
+  rig.outcome.identification.verdict = Verdict::kNamed;
+  rig.given.name = "other";
+  nlohmann::json of_e1 = asJson(rig.report);
+  of_e1["case"] = "e1";
+  EXPECT_THAT(sentence(of_e1.dump()), HasSubstr("is of case e1, not of other"));
+  EXPECT_THAT(sentence("[]"), HasSubstr("has no result of case other"));
+  EXPECT_THAT(sentence("{\"case\": 3"), HasSubstr(std::string{"report.json: "} + messages::kNotAResult));
+}
+
+TEST(LineDiff, ShowsWhatChangedWithALittleAround) {
+  const auto kinds = [](const std::vector<DiffLine>& lines) {
+    std::string text;
+    for (const DiffLine& line : lines) text += line.kind;
+    return text;
+  };
+  EXPECT_EQ(kinds(lineDiff("a\nb\nc\n", "a\nb\nc\n")), "");
+  EXPECT_EQ(kinds(lineDiff("a\nb\nc\nd\ne\nf\ng\nh\n", "a\nB\nc\nd\ne\nf\ng\nh\ni\n", 1)), " -+ @ +");
+  EXPECT_EQ(kinds(lineDiff("", "a\n")), "+");
+}
+
+}  // namespace
+}  // namespace darwinop::gap

@@ -1,0 +1,185 @@
+// What a terminal shows, and the figures behind it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "gap/report/data_hash.hpp"
+#include "gap/report/report_rig.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> linesOfText(const std::string& text) {
+  std::istringstream stream{text};
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Without line ends: where a terminal breaks a sentence does not matter here.
+std::string inOneLine(std::string text) {
+  for (char& c : text)
+    if (c == '\n') c = ' ';
+  return text;
+}
+
+TEST(Summary, HasPlaceEffectIntervalAndImprovement) {
+  const ReportRig rig;
+  const std::string text = inOneLine(asText(rig.report));
+  EXPECT_THAT(text, HasSubstr("The model lacks dry friction: friction 0.0423 N m, with nine chances in ten between "
+                              "0.0401 and"));
+  EXPECT_THAT(text, HasSubstr("falls from 31.0 mrad to 0.93 mrad; noise alone makes 0.89."));
+  EXPECT_THAT(text, HasSubstr("coulomb.friction = 0.0423 N m   (90 %: 0.0401 to 0.0447 N m), gain 312"));
+  EXPECT_THAT(text, HasSubstr("deadband instead: worse by 45"));
+  EXPECT_THAT(text, HasSubstr("length has to be 1.034 times what was given: 3.4 sigma"));
+  EXPECT_THAT(text, HasSubstr("loop: the plant"));
+}
+
+TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  identification.remains = true;
+  identification.prior_conflicts.clear();
+  identification.rejected = {{twin::findEffect("supply_sag"), RejectionReason::kVoltage},
+                             {twin::findEffect("torque_limit"), RejectionReason::kUndecided},
+                             {twin::findEffect("cogging"), RejectionReason::kWorsensHeldOut}};
+  rig.make();
+  const std::string text = inOneLine(asText(rig.report));
+  EXPECT_THAT(text, HasSubstr("supply_sag: " + std::string{messages::kVoltage}));
+  EXPECT_THAT(text, HasSubstr("torque_limit: " + std::string{messages::kUndecided}));
+  EXPECT_THAT(text, HasSubstr(messages::kRemainder));
+  const nlohmann::json answer = asJson(rig.given, rig.outcome);
+  EXPECT_EQ(answer["rejected"][0]["why"], "voltage");
+  EXPECT_EQ(answer["rejected"][1]["id"], "torque_limit");
+  EXPECT_EQ(answer["rejected"][2]["why"], "worsens_held_out");
+  EXPECT_THAT(rejectionSentence(identification.rejected[2]), HasSubstr(messages::kWorsensHeldOutInFull));
+  EXPECT_THAT(rejectionSentence(identification.rejected[1]),
+              HasSubstr(twin::findEffect("quadratic_load_friction")->title));
+  EXPECT_THAT(rejectionSentence(identification.rejected[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
+}
+
+TEST(Results, HaveTheBlockOfTheNamedEffectAndTheFirstOpenBlock) {
+  const Case given = twoLogs();
+  Outcome outcome = dryFriction(given);
+  outcome.localization.blocks.first = Block::kController;
+  EXPECT_EQ(asJson(given, outcome)["block"], "plant");
+  EXPECT_EQ(asJson(given, outcome)["first_open_block"], "controller");
+  outcome.identification.effects.front().effect = twin::findEffect("deadband");
+  outcome.localization.blocks.first.reset();
+  EXPECT_EQ(asJson(given, outcome)["block"], "controller");
+  EXPECT_TRUE(asJson(given, outcome)["first_open_block"].is_null());
+  outcome.localization.blocks.first = Block::kSensor;
+  outcome.identification.verdict = Verdict::kUnknown;
+  EXPECT_EQ(asJson(given, outcome)["block"], "sensor");
+}
+
+TEST(Summary, FitsAScreenHoweverMuchWasFound) {
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  identification.verdict = Verdict::kAmbiguous;
+  for (const char* id : {"stribeck", "backlash", "supply_sag"})
+    identification.effects.push_back(
+        {twin::findEffect(id),
+         {{std::string{id} + ".one", "N m", 0.1, 0.09, 0.11}, {std::string{id} + ".two", "", 1, 0, 2}},
+         100});
+  identification.rivals.assign(9, {{"deadband", "load_dependent_friction", "directional_load_friction"}, 5});
+  identification.prior_conflicts.assign(9, {"duty_per_kp", 3.3, 1.2});
+  rig.make();
+  const std::vector<std::string> lines = linesOfText(asText(rig.report));
+  EXPECT_LE(lines.size(), 24U);
+  for (const std::string& line : lines) EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST(Summary, GivesNoIntervalForWhatTheDataSayNothingAbout) {
+  ReportRig rig;
+  rig.outcome.identification.effects.front().estimates.front().seen = false;
+  rig.make();
+  EXPECT_THAT(asText(rig.report), HasSubstr("(" + std::string{messages::kNotIdentifiable} + ")"));
+  EXPECT_THAT(asHtml(rig.report), HasSubstr(messages::kNotIdentifiable));
+  EXPECT_THAT(rig.report.model_after, HasSubstr("; friction: " + std::string{messages::kNotIdentifiable}));
+  EXPECT_THAT(rig.report.model_after, Not(HasSubstr("90 % interval")));
+}
+
+TEST(Summary, WarnsOfAModelThatGotWorseAndOfOneThatIsTooGood) {
+  ReportRig rig;
+  rig.report.comparison.held_out = gapOfMrad(10, 20, 1);
+  EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(messages::kWorse));
+  EXPECT_THAT(asText(rig.report), Not(HasSubstr(messages::kBelowFloorFlag)));
+  rig.report.comparison.logs[1].below_floor = true;
+  EXPECT_THAT(asText(rig.report), HasSubstr(std::string{messages::kBelowFloorFlag} + "!"));
+}
+
+TEST(Summary, HasASentenceForEachVerdict) {
+  ReportRig rig;
+  const std::pair<Verdict, std::string> sentences[] = {
+      {Verdict::kNone, messages::kOnlyNoise},
+      {Verdict::kAmbiguous, messages::kNotIdentified + std::string{"dry friction, or dead band"}},
+      {Verdict::kUnknown, messages::kOutsideCatalogue + std::string{"; it shows most between 0.3 and 0.6 s of fit"}},
+      {Verdict::kCannotTell, messages::kTooLittle}};
+  rig.outcome.identification.rivals.front().behind = 3;
+  for (const auto& [verdict, words] : sentences) {
+    rig.outcome.identification.verdict = verdict;
+    EXPECT_THAT(verdictSentences(rig.outcome, rig.report.comparison).front(), HasSubstr(words));
+  }
+}
+
+TEST(Compare, ARightModelIsAtTheFloorAndAWrongOneAbove) {
+  const Case bench = twoLogs();
+  const Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.06);
+  const Comparison found = compare(measured(bench, truth, 3), baselineOf(bench), truth);
+  EXPECT_EQ(found.held_out_logs, 1U);
+  EXPECT_GT(found.held_out.floorsBefore(), 3);
+  EXPECT_NEAR(found.held_out.floorsAfter(), 1, 0.5);
+  EXPECT_FALSE(found.anyBelowFloor(bench, true)) << found.logs[1].noise_share;
+}
+
+TEST(Compare, DataWithoutNoiseAreBelowTheFloor) {
+  Case bench = twoLogs();
+  Trace trace;
+  for (std::size_t i = 0; i < bench.logs.size(); ++i) {
+    rollOut(bench, i, baselineOf(bench), {}, trace);
+    bench.logs[i].position_rad = trace[kPositionSignal];
+  }
+  const Comparison found = compare(bench, baselineOf(bench), baselineOf(bench));
+  EXPECT_TRUE(found.anyBelowFloor(bench, true)) << "no servo agrees to the last digit with a simulation";
+}
+
+TEST(DataHash, IsThatOfSha256sum) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(DataHash, ChangesWithTheDataAndNotWithTheFolder) {
+  Case given = twoLogs();
+  for (Trajectory& log : given.logs) log.file = log.held_out ? "score 1.csv" : "fit_1.csv";
+  EXPECT_EQ(dataHash(given), "") << "it lies in no folder";
+  given.folder = testing::TempDir() + "/darwinop_data_hash";
+  std::filesystem::create_directories(given.folder);
+  for (const char* file : {"case.json", "fit_1.csv", "score 1.csv"})
+    std::ofstream{std::filesystem::path{given.folder} / file} << file;
+  EXPECT_EQ(dataHash(given), sha256("case.jsonfit_1.csvscore 1.csv"));
+  EXPECT_EQ(hashCommand(given), "cat case.json fit_1.csv 'score 1.csv' | sha256sum");
+}
+
+TEST(WriteReport, SaysWhatToDoWhenItCannot) {
+  const ReportRig rig;
+  const std::string file = testing::TempDir() + "/darwinop_no_folder";
+  std::ofstream{file} << "a file";
+  try {
+    writeReport(rig.report, file + "/report");
+    FAIL() << "a file is no folder";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr(file + "/report"), HasSubstr("--report")));
+  }
+}
+
+}  // namespace
+}  // namespace darwinop::gap
