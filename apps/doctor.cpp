@@ -67,7 +67,7 @@ int examine(const std::string& asked, bool fix, bool json) {
   options.absent = robot.safety.absent;
   options.allowed = connect::goalTicks(connect::safetyOn(robot, {}, "config.ini"), robot.offsets);
   options.correct = options.correct_mute = fix;
-  options.board_model = robot.board_model;
+  options.permitted = robot.permitted;
   probed = cm730::probe(*check.port, options);
   report.add(probed.findings);
   if (probed.facts.board.readable && probed.facts.board.power_on) {

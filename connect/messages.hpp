@@ -6,6 +6,7 @@ namespace darwinop::connect::messages {
 // robot.ini.
 inline constexpr const char* kNoRobotFile = "no robot.ini: port, limits and offsets are as on a stock robot";
 inline constexpr const char* kNoJointLeft = "a robot without any joint cannot be driven";
+inline constexpr const char* kNoSuchServoModel = "give models with commas between, or nothing; there are ";
 inline constexpr const char* kGivenTwice = " is there a second time; keep one of the two";  // after the key
 
 // connect.cpp; after the controller's file.

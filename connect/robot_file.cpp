@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "connect/messages.hpp"
+#include "core/servo_models.hpp"
 #include "core/text/ini_text.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
@@ -55,19 +57,49 @@ std::uint16_t modelNumber(std::string_view key, std::string_view value) {
   return static_cast<std::uint16_t>(*number);
 }
 
+/// The items of "A, B" without blanks; an empty one where one is missing. Nothing: none.
+std::vector<std::string_view> listed(std::string_view value) {
+  std::vector<std::string_view> items;
+  if (text::withoutBlanks(value).empty()) return items;
+  for (std::size_t begin = 0; begin <= value.size();) {
+    const std::size_t comma = std::min(value.find(',', begin), value.size());
+    items.push_back(text::withoutBlanks(value.substr(begin, comma - begin)));
+    begin = comma + 1;
+  }
+  return items;
+}
+
 /// "Neck, Head"; nothing: none.
 std::bitset<kJoints> jointNames(std::string_view key, std::string_view value) {
   std::bitset<kJoints> joints;
-  for (std::string_view rest = text::withoutBlanks(value); !rest.empty();) {
-    const std::size_t comma = rest.find(',');
-    const auto joint = findJoint(jointName(text::withoutBlanks(rest.substr(0, comma))));
-    if (!joint || (comma != rest.npos && text::withoutBlanks(rest.substr(comma + 1)).empty()))
+  for (const std::string_view name : listed(value)) {
+    const auto joint = findJoint(jointName(name));
+    if (!joint)
       refuse("Robot", key, value, "give names of joints as in Webots with commas between, e.g. Neck, Head; or nothing");
     joints.set(index(*joint));
-    rest = comma == rest.npos ? std::string_view{} : rest.substr(comma + 1);
   }
   if (joints.all()) refuse("Robot", key, value, messages::kNoJointLeft);
   return joints;
+}
+
+std::string permittableModels() {
+  std::string names;
+  for (const ServoModel& model : kServoModels)
+    if (model.use == ServoUse::kIfPermitted) names.append(names.empty() ? "" : ", ").append(model.name);
+  return names;
+}
+
+/// "MX-64, MX-106"; nothing: none.
+ServoModels servoModels(std::string_view key, std::string_view value) {
+  ServoModels models;
+  for (const std::string_view name : listed(value)) {
+    const auto* const model = std::ranges::find_if(kServoModels, [name](const ServoModel& row) {
+      return row.use == ServoUse::kIfPermitted && lowered(row.name) == lowered(name);
+    });
+    if (model == kServoModels.end()) refuse("Robot", key, value, messages::kNoSuchServoModel + permittableModels());
+    models.set(static_cast<std::size_t>(model - kServoModels.begin()));
+  }
+  return models;
 }
 
 std::string atAngle(double rad) {
@@ -124,10 +156,13 @@ class Reader final : public text::IniReader {
     else if (name == "absent")
       file_.safety.absent = jointNames(key, value);
     else if (name == "board_model")
-      file_.board_model = modelNumber(key, value);
+      file_.permitted.board_model = modelNumber(key, value);
+    else if (name == "servo_models")
+      file_.permitted.servo_models = servoModels(key, value);
     else
       refuse("Robot", key, value,
-             "no such key; there are port, camera, period_ms, group, controller_user, absent and board_model");
+             "no such key; there are port, camera, period_ms, group, controller_user, absent, board_model and "
+             "servo_models");
   }
 
   void takeOffset(std::string_view key, std::string_view value) {
@@ -180,7 +215,9 @@ std::string describe(const RobotFile& robot) {
   if (robot.path.empty()) return messages::kNoRobotFile;
   std::string text = robot.path + ": port " + robot.serialPort() + ", " +
                      std::to_string(robot.period.value_or(kUsualPeriod) / std::chrono::milliseconds{1}) + " ms";
-  std::string offsets, limits, absent;
+  std::string offsets, limits, absent, models;
+  for (std::size_t i = 0; i < kServoModels.size(); ++i)
+    if (robot.permitted.servo_models[i]) models.append(" ").append(kServoModels[i].name);
   const safety::Config stock;
   for (std::size_t i = 0; i < kJoints; ++i) {
     const std::string name{kJointTable[i].name};
@@ -192,7 +229,9 @@ std::string describe(const RobotFile& robot) {
   }
   const std::size_t named = robot.safety.named.count();
   if (named > 0) text += ", " + std::to_string(named) + (named == 1 ? " setting" : " settings") + " of [Safety]";
-  if (robot.board_model != RobotFile{}.board_model) text += ", board model " + std::to_string(robot.board_model);
+  if (robot.permitted.board_model != RobotFile{}.permitted.board_model)
+    text += ", board model " + std::to_string(robot.permitted.board_model);
+  if (!models.empty()) text += ", servo models:" + models;
   if (!absent.empty()) text += ", absent:" + absent;
   if (!limits.empty()) text += ", narrowed:" + limits;
   if (!offsets.empty()) text += ", offsets in rad:" + offsets;

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/registers.hpp"
 #include "hal/byte_line.hpp"
+#include "hal/cm730/diagnosis/permitted.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 #include "safety/config.hpp"
 
@@ -25,7 +25,7 @@ struct RobotFile {
   std::string group, controller_user;  // empty: see connect/controller_user.hpp
   safety::Config safety{};             // including the joints that the robot lacks
   cm730::JointOffsets offsets{};
-  std::uint16_t board_model = find(kCm730, "model").reset;  // permitted beside the CM-730's
+  cm730::Permitted permitted{};
 
   [[nodiscard]] std::string serialPort() const { return port.value_or(kRobotsPort); }
 };

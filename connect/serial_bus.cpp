@@ -47,7 +47,7 @@ cm730::ProbeOptions probeOptions(const SerialRobot& robot) {
   options.period = robot.period;
   options.offsets = robot.offsets;
   options.absent = robot.safety.absent;
-  options.board_model = robot.board_model;
+  options.permitted = robot.permitted;
   options.allowed = goalTicks(robot.safety, robot.offsets);
   return options;
 }
@@ -89,6 +89,14 @@ safety::Config withinServoLimits(const SerialRobot& robot, const cm730::ProbeRep
   return config;
 }
 
+cm730::StallTorques stallTorques(const cm730::RobotFacts& facts) {
+  cm730::StallTorques stall;
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (const ServoModel* const model = findServoModel(facts.servo[i].model))
+      stall.set(static_cast<Joint>(i), NewtonMeter{model->stall_torque});
+  return stall;
+}
+
 }  // namespace
 
 cm730::TickRanges goalTicks(const safety::Config& safety, const cm730::JointOffsets& offsets) {
@@ -117,6 +125,7 @@ OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose) {
   config.absent = robot.safety.absent;
   config.no_writes = opened.safety.no_writes;
   config.fixed_block_length = !checked.facts.instructions.all_blocks;
+  config.stall = stallTorques(checked.facts);
   opened.bus = std::make_unique<OwnedBus<cm730::SerialPort>>(std::move(line), config);
   return opened;
 }

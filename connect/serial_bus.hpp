@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "core/registers.hpp"
 #include "hal/byte_line.hpp"
+#include "hal/cm730/diagnosis/permitted.hpp"
 #include "hal/cm730/diagnosis/robot_facts.hpp"
 #include "hal/cm730/diagnosis/start_policy.hpp"
 #include "hal/cm730/joint_offsets.hpp"
@@ -20,7 +20,7 @@ struct SerialRobot {
   Nanos period{16'000'000};
   safety::Config safety{};
   cm730::JointOffsets offsets{};
-  std::uint16_t board_model = find(kCm730, "model").reset;  // permitted beside the CM-730's
+  cm730::Permitted permitted{};
 };
 
 /// An open bus with its line.

@@ -115,6 +115,13 @@ inline constexpr auto kMx28 = std::to_array<Register>({
      "newer firmware only"},
 });
 
+// Registers that MX-64 and MX-106 have beside those; the modes in which goals have no effect. Source: vendor's manuals,
+// protocol 1.0; not confirmed on hardware.
+inline constexpr auto kStrongerMx = std::to_array<Register>({
+    {"drive_mode", 10, 1, detail::W, detail::E, 0, 0, 3, 0, 1, "bits", "MX-106: 1 reverse, 2 slave of another servo"},
+    {"torque_control", 70, 1, detail::W, detail::M, 0, 0, 1, 0, 1, "bool", "1: a torque (71) is the goal"},
+});
+
 /// The row with this name; the name must exist (checked when evaluated at compile time).
 template <std::size_t N>
 constexpr const Register& find(const std::array<Register, N>& table, std::string_view name) {
@@ -129,7 +136,7 @@ constexpr bool tableIsSound(const std::array<Register, N>& table) {
     if (table[i].address + table[i].bytes > table[i + 1].address) return false;
   return true;
 }
-static_assert(tableIsSound(kCm730) && tableIsSound(kMx28));
+static_assert(tableIsSound(kCm730) && tableIsSound(kMx28) && tableIsSound(kStrongerMx));
 
 /// Addresses by name, for code that reads and writes single registers.
 namespace board {
@@ -152,6 +159,8 @@ inline constexpr std::uint8_t kPresentPosition = find(kMx28, "present_position")
 inline constexpr std::uint8_t kPresentVoltage = find(kMx28, "present_voltage").address;
 inline constexpr std::uint8_t kLock = find(kMx28, "lock").address;
 inline constexpr std::uint8_t kPresentTemperature = find(kMx28, "present_temperature").address;
+inline constexpr std::uint8_t kDriveMode = find(kStrongerMx, "drive_mode").address;
+inline constexpr std::uint8_t kTorqueControl = find(kStrongerMx, "torque_control").address;
 }  // namespace servo
 
 }  // namespace darwinop

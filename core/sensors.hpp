@@ -37,7 +37,7 @@ struct JointSensors {
   Freshness motion;             // age of position, velocity, load, error_bits
   Rad position;                 // rad
   RadPerSec velocity;           // rad/s
-  double load = kUnknown;       // fraction of the maximum torque, -1..1, positive pushes counter-clockwise
+  double load = kUnknown;       // fraction of kMaxTorqueNm, for every servo model; positive pushes counter-clockwise
   std::uint8_t error_bits = 0;  // error byte of the last status packet, see error_bit
 
   Freshness polled;  // age of the values below, from the last round-robin poll (at least once a second)

@@ -14,10 +14,18 @@ constexpr TableLayout layoutOf(const std::array<Register, N>& rows, std::size_t 
   return layout;
 }
 
+constexpr TableLayout strongerServoLayout() {
+  TableLayout layout = layoutOf(kMx28, kServoTableSize);
+  for (const Register& row : kStrongerMx) layout.at[row.address] = &row;  // of one byte
+  return layout;
+}
+static_assert(std::ranges::all_of(kStrongerMx, [](const Register& row) { return row.bytes == 1; }));
+
 }  // namespace
 
 constinit const TableLayout kBoardLayout = layoutOf(kCm730, kBoardTableSize);
 constinit const TableLayout kServoLayout = layoutOf(kMx28, kServoTableSize);
+constinit const TableLayout kStrongerServoLayout = strongerServoLayout();
 
 ControlTable::ControlTable(const TableLayout& layout) : layout_{&layout} {
   reset(Memory::kEeprom);

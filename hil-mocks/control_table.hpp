@@ -17,6 +17,7 @@ struct TableLayout {
 
 extern const TableLayout kBoardLayout;
 extern const TableLayout kServoLayout;
+extern const TableLayout kStrongerServoLayout;  // MX-64, MX-106
 
 class ControlTable {
  public:

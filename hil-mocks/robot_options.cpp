@@ -17,6 +17,7 @@ struct NumberRow {
 };
 constexpr std::array kNumbers{
     NumberRow{"model", 65535, [](ServoOptions& s, unsigned n) { s.model = static_cast<std::uint16_t>(n); }},
+    NumberRow{"drive-mode", 3, [](ServoOptions& s, unsigned n) { s.drive_mode = static_cast<std::uint8_t>(n); }},
     NumberRow{"firmware", 255, [](ServoOptions& s, unsigned n) { s.firmware = static_cast<std::uint8_t>(n); }},
     NumberRow{"id", 253, [](ServoOptions& s, unsigned n) { s.id = static_cast<std::uint8_t>(n); }},
     NumberRow{"return-delay", 254, [](ServoOptions& s, unsigned n) { s.return_delay = static_cast<std::uint8_t>(n); }},
@@ -53,7 +54,7 @@ bool setNumber(ServoOptions& servo, std::string_view setting) {
 }  // namespace
 
 std::string servoSettings() {
-  std::string text = "wheel, multi-turn, missing, keeps-torque";
+  std::string text = "wheel, multi-turn, missing, keeps-torque, torque-control";
   for (const NumberRow& row : kNumbers)
     text.append(", ").append(row.name).append(":0..").append(std::to_string(row.most));
   return text;
@@ -69,6 +70,7 @@ void setServo(BoardOptions& options, std::string_view text) {
     if (setting == "multi-turn") return void(servo.cw_limit = servo.ccw_limit = kTickMax);
     if (setting == "missing") return void(servo.missing = true);
     if (setting == "keeps-torque") return void(servo.keeps_torque = true);
+    if (setting == "torque-control") return void(servo.torque_control = true);
     if (setNumber(servo, setting)) return;
   }
   throw std::runtime_error("--servo " + std::string{text} +

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/conversions.hpp"
 
@@ -19,14 +20,26 @@ constexpr std::uint8_t kLowVoltage = addressOf("low_voltage_limit"), kHighVoltag
 constexpr std::uint8_t kMaxTorque = addressOf("max_torque");
 constexpr std::uint8_t kRegistered = addressOf("registered"), kLock = addressOf("lock");
 
+const TableLayout& layoutOfModel(std::uint16_t number) {
+  const ServoModel* const model = findServoModel(number);
+  return model != nullptr && model->use == ServoUse::kIfPermitted ? kStrongerServoLayout : kServoLayout;
+}
+
+double strengthOf(std::uint16_t number) {
+  const ServoModel* const model = findServoModel(number);
+  return model != nullptr ? model->stall_torque / kMaxTorqueNm : 1;
+}
+
 }  // namespace
 
 VirtualServo::VirtualServo(Joint joint, const ServoOptions& options)
-    : BusDevice{kServoLayout},
+    : BusDevice{layoutOfModel(options.model)},
       joint_{joint},
+      strength_{strengthOf(options.model)},
       keeps_torque_{options.keeps_torque},
       torque_by_goal_{options.torque_by_goal},
       missing_{options.missing},
+      torque_control_{options.torque_control},
       position_{row(joint).start} {
   table_.setByte(servo::kId, options.id == 0 ? row(joint).id : options.id);
   table_.setByte(servo::kFirmware, options.firmware);
@@ -37,6 +50,7 @@ VirtualServo::VirtualServo(Joint joint, const ServoOptions& options)
   table_.setWord(kCwLimit, options.cw_limit);
   table_.setWord(kCcwLimit, options.ccw_limit);
   table_.setWord(kMaxTorque, options.max_torque);
+  table_.setByte(servo::kDriveMode, options.drive_mode);
 }
 
 ServoState VirtualServo::state() const {
@@ -65,6 +79,7 @@ void VirtualServo::powerUp(Nanos now, Nanos boot) {
   table_.setWord(servo::kGoalPosition, position_);
   table_.setWord(servo::kPresentPosition, position_);
   table_.setWord(servo::kTorqueLimit, table_.word(kMaxTorque));
+  if (std::exchange(torque_control_, false)) table_.setByte(servo::kTorqueControl, 1);
   strain_trips_ = false;
   updateDrive();
   if (observer_ != nullptr) observer_->changed(joint_, ServoEvent::kPowerOn, before, state());

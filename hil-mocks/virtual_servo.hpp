@@ -1,4 +1,4 @@
-// One MX-28 on the virtual bus: registers, power, protections.
+// One MX-28, MX-64 or MX-106 on the virtual bus: registers, power, protections.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 
 #include "core/conversions.hpp"
 #include "core/registers.hpp"
+#include "core/servo_models.hpp"
 #include "hal/body.hpp"
 #include "hil-mocks/device.hpp"
 #include "hil-mocks/servo_observer.hpp"
@@ -21,6 +22,8 @@ struct ServoOptions {
   bool keeps_torque = false;   // once on, torque ends with the supply only: a defect, or writes that do not arrive
   bool torque_by_goal = true;  // a goal write switches torque on, as in an MX-28; false: its switch only
   std::uint16_t model = find(kMx28, "model").reset;
+  std::uint8_t drive_mode = 0;  // register 10; an MX-28 has none
+  bool torque_control = false;  // register 70 after the first power-up; an MX-28 has none
   // Registers 6, 8 and 14. Both limits 0: wheel mode; both 4095: multi-turn mode.
   std::uint16_t cw_limit = 0, ccw_limit = kTickMax, max_torque = 1023;
 
@@ -87,8 +90,12 @@ class VirtualServo : public BusDevice {
 
   Joint joint_;
   ServoObserver* observer_ = nullptr;
+  /// Stall torque relative to an MX-28. Bodies have the motor of an MX-28: a stronger servo moves them as long as it
+  /// needs no more than that.
+  const double strength_;
   const bool keeps_torque_, torque_by_goal_;
-  bool missing_, dead_ = false, powered_ = false;
+  bool missing_, torque_control_;
+  bool dead_ = false, powered_ = false;
   bool goal_refused_ = false, overloaded_ = false;
   std::uint8_t injected_errors_ = 0;
   double supply_v_ = 0, usual_temperature_c_ = 25;

@@ -60,7 +60,7 @@ void VirtualServo::measure(const JointMotion& motion) {
   table_.setWord(kPresentSpeed, registerFromVelocity(RadPerSec{motion.velocity_rad_s}));
   const bool stuck = trips_after_ && state().pulls();  // at its torque limit
   const double limit = table_.word(servo::kTorqueLimit) / static_cast<double>(kTorqueMax);
-  table_.setWord(kPresentLoad, registerFromLoad(stuck ? std::copysign(limit, motion.load) : motion.load));
+  table_.setWord(kPresentLoad, registerFromLoad(stuck ? std::copysign(limit, motion.load) : motion.load / strength_));
   const int away = std::abs(int{table_.word(servo::kGoalPosition)} - int{position_});
   table_.setByte(kMoving, table_.byte(servo::kTorqueEnable) != 0 && away > kMovingTicks ? 1 : 0);
 }
@@ -75,10 +75,10 @@ void VirtualServo::updateDrive() {
   const std::uint8_t acceleration = table_.byte(kGoalAcceleration);
   drive_.accel_limit_rad_s2 = acceleration == 0 ? std::numeric_limits<double>::infinity()
                                                 : acceleration * find(kMx28, "goal_acceleration").scale;
-  drive_.torque_limit = table_.word(servo::kTorqueLimit) / static_cast<double>(kTorqueMax);
-  drive_.p_gain = table_.byte(servo::kPGain) * find(kMx28, "p_gain").scale;
-  drive_.i_gain = table_.byte(kIGain) * find(kMx28, "i_gain").scale;
-  drive_.d_gain = table_.byte(kDGain) * find(kMx28, "d_gain").scale;
+  drive_.torque_limit = std::min(1.0, strength_ * table_.word(servo::kTorqueLimit) / kTorqueMax);
+  drive_.p_gain = strength_ * table_.byte(servo::kPGain) * find(kMx28, "p_gain").scale;
+  drive_.i_gain = strength_ * table_.byte(kIGain) * find(kMx28, "i_gain").scale;
+  drive_.d_gain = strength_ * table_.byte(kDGain) * find(kMx28, "d_gain").scale;
 }
 
 const ServoDrive& VirtualServo::drive(const JointMotion& motion) {

@@ -23,7 +23,7 @@ RobotSettings readRobotSettings() {
                   .period = file.period.value_or(connect::kUsualPeriod),
                   .safety = connect::safetyOn(file, safety::Config{}, "config.ini"),
                   .offsets = file.offsets,
-                  .board_model = file.board_model};
+                  .permitted = file.permitted};
   try {
     robot.group = connect::runtimeGroup(file);
   } catch (const std::runtime_error&) {  // the runtime reports and rejects a missing group

@@ -8,6 +8,7 @@
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
 #include "core/registers.hpp"
+#include "core/servo_models.hpp"
 
 namespace {
 
@@ -18,7 +19,9 @@ constexpr bool eepromIsBelow(int address, std::span<const Register> table) {
   return std::ranges::all_of(table,
                              [=](const Register& r) { return (r.memory == Memory::kEeprom) == (r.address < address); });
 }
-static_assert(eepromIsBelow(kFirstRam, kCm730) && eepromIsBelow(kFirstRam, kMx28), "the page has no column for it");
+static_assert(eepromIsBelow(kFirstRam, kCm730) && eepromIsBelow(kFirstRam, kMx28) &&
+                  eepromIsBelow(kFirstRam, kStrongerMx),
+              "the page has no column for it");
 
 std::string number(double value, const char* format) {
   char text[32];
@@ -59,18 +62,46 @@ void printJoints(std::ostream& out) {
   }
 }
 
+std::string_view use(ServoUse use) {
+  switch (use) {
+    case ServoUse::kDriven:
+      return "yes";
+    case ServoUse::kIfPermitted:
+      return "if `servo_models` in robot.ini names it";
+    case ServoUse::kRefused:
+      return "no";
+  }
+  return "";
+}
+
+void printServoModels(std::ostream& out) {
+  out << "| Model number | Servo | Driven | Stall torque, N m | No-load speed, rpm | Driven on robots, by upstream's "
+         "software | Note "
+         "|\n|---:|---|---|---:|---:|---|---|\n";
+  for (const ServoModel& m : kServoModels)
+    out << "| " << m.number << " | " << m.name << " | " << use(m.use) << " | " << number(m.stall_torque, "%.1f")
+        << " | " << number(m.no_load_rpm, "%g") << " | " << (m.on_robots ? "yes" : "no") << " | " << m.note << " |\n";
+}
+
 void printPage(std::ostream& out) {
   out << "# Joints and registers\n\n"
-         "Generated from `core/joints.hpp` and `core/registers.hpp` by `./dev docs`; do not edit.\n"
-         "Where sources disagree, the comments of those two files name the conflict and the choice.\n\n"
+         "Generated from `core/joints.hpp`, `core/registers.hpp` and `core/servo_models.hpp` by `./dev docs`; do not "
+         "edit.\n"
+         "Where sources disagree, the comments of those files name the conflict and the choice.\n\n"
          "## Joints\n\n"
          "2048 ticks are 0 rad, 4096 ticks are a turn. A rising tick is a positive angle, for every joint.\n\n";
   printJoints(out);
+  out << "\n## Servo models\n\nAny other model is refused. Source: the vendor's manuals, at 12 V, protocol 1.0. Those "
+         "that can be driven have\nthe registers, 4096 steps a turn, speed units and gains of an MX-28. A torque limit "
+         "in N m means the same at each of\nthem: at most 2.5 N m; loads are relative to 2.5 N m.\n\n";
+  printServoModels(out);
   out << "\n## CM-730, id " << int{kBoardId} << "\n\nA register without a range is read-only. Addresses below "
       << kFirstRam << " are EEPROM. A word has its low byte at the lower address.\n\n";
   printTable(out, kCm730);
   out << "\n## MX-28, ids 1 to " << kJoints << "\n\nProtocol 1.0, firmware 27 or newer.\n\n";
   printTable(out, kMx28);
+  out << "\n## MX-64 and MX-106\n\nThe same, and these, which have to be 0: not confirmed on hardware.\n\n";
+  printTable(out, kStrongerMx);
 }
 
 }  // namespace

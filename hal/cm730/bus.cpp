@@ -19,9 +19,9 @@ constexpr int kBoardWriteWait = 3;
 Cm730Bus::Cm730Bus(ByteLine& line, const BusConfig& config)
     : line_{line},
       config_{config},
-      goals_{config.offsets},
+      goals_{config.offsets, config.stall},
       list_{config.period, config.polls(), config.absent},
-      decoder_{config.offsets},
+      decoder_{config.offsets, config.stall},
       tag_{config.fixed_block_length} {}
 
 void Cm730Bus::send(Bytes frame) noexcept {

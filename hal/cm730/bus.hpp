@@ -15,6 +15,7 @@
 #include "hal/cm730/read_list.hpp"
 #include "hal/cm730/reply_decoder.hpp"
 #include "hal/cm730/request_tag.hpp"
+#include "hal/cm730/stall_torques.hpp"
 #include "hal/cm730/wire.hpp"
 #include "hal/servo_bus.hpp"
 
@@ -29,11 +30,12 @@ struct BusConfig {
   std::bitset<kJoints> absent{};     // joints that are never read
   std::bitset<kJoints> no_writes{};  // joints whose EEPROM is not locked, beside `absent`
   bool fixed_block_length = false;   // request_tag.hpp
+  StallTorques stall{};
 
   /// The longest margin that the period permits beside kFullCycle. At 8 ms a missing reply can make its cycle overrun;
   /// a shorter margin would take late USB frames for missing replies.
   static constexpr BusConfig forPeriod(Nanos period, const JointOffsets& offsets = {}) {
-    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, {}, false};
+    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, {}, false, {}};
   }
   /// Maximum number of servos polled in one cycle: as many as fit into the period beside a full cycle and a missing
   /// reply, at least four.

@@ -33,13 +33,15 @@ std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) n
 void GoalWriter::noteLoad(Joint joint, double load) noexcept {
   constexpr double kStrain = 0.8;  // of the torque limit
   Servo& servo = servo_[index(joint)];
-  servo.straining = std::abs(load) * kTorqueMax >= kStrain * servo.least;
+  servo.straining = stall_.loadCounts(joint, load) >= kStrain * servo.least;
 }
 
-void GoalWriter::noteSettings(Servo& servo, const SafeCommands::JointGoal& goal) noexcept {
+void GoalWriter::noteSettings(Joint joint, const SafeCommands::JointGoal& goal) noexcept {
+  Servo& servo = servo_[index(joint)];
   servo.settings = settingsOf(goal);
   const std::uint8_t p_gain = registerFromPGain(goal.p_gain);
-  const std::uint16_t speed = registerFromSpeedLimit(goal.speed_limit), torque = registerFromTorque(goal.torque_limit);
+  const std::uint16_t speed = registerFromSpeedLimit(goal.speed_limit);
+  const std::uint16_t torque = stall_.limitRegister(joint, goal.torque_limit);
   auto& r = servo.registers;
   if (p_gain != r[0] || speed != wordAt(r, 4)) servo.settings_due = kWrites;
   if (torque != servo.torque) servo.torque_due = kWrites;
@@ -79,9 +81,10 @@ std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& comman
   if (who.none()) return {};
   Due due;
   forEachJoint(who, [&](std::size_t i) {
-    const SafeCommands::JointGoal& goal = commands.goal(static_cast<Joint>(i));
+    const auto joint = static_cast<Joint>(i);
+    const SafeCommands::JointGoal& goal = commands.goal(joint);
     Servo& servo = servo_[i];
-    if (servo.settings != settingsOf(goal)) noteSettings(servo, goal);
+    if (servo.settings != settingsOf(goal)) noteSettings(joint, goal);
     due.add(servo);
   });
   if (due.straining && (due.all > 0 || due.torque > 0)) return encodeTwo(commands, who);

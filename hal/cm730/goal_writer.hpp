@@ -12,6 +12,7 @@
 #include "core/registers.hpp"
 #include "core/safe_commands.hpp"
 #include "hal/cm730/joint_offsets.hpp"
+#include "hal/cm730/stall_torques.hpp"
 
 namespace darwinop::cm730 {
 
@@ -25,12 +26,15 @@ namespace darwinop::cm730 {
 /// cycles, and polled in the same cycle, in which the torque of a servo that has shut itself off is still off.
 class GoalWriter {
  public:
-  explicit GoalWriter(const JointOffsets& offsets = {}) : offsets_{offsets} { forget(); }
+  explicit GoalWriter(const JointOffsets& offsets = {}, const StallTorques& stall = {})
+      : offsets_{offsets}, stall_{stall} {
+    forget();
+  }
 
   /// The frame to send; empty if there is nothing to send. Valid until the next call.
   std::span<const std::uint8_t> encode(const SafeCommands& commands) noexcept;
 
-  /// Load that a servo reported, as a fraction of the maximum torque.
+  /// Load that a servo reported, as a fraction of an MX-28's maximum torque.
   void noteLoad(Joint joint, double load) noexcept;
 
   /// Locks the EEPROM of those servos until power-off: with an 8-bit checksum one damaged frame in 256 is accepted, and
@@ -110,7 +114,7 @@ class GoalWriter {
     }
   };
 
-  void noteSettings(Servo& servo, const SafeCommands::JointGoal& goal) noexcept;
+  void noteSettings(Joint joint, const SafeCommands::JointGoal& goal) noexcept;
   void noteLimitSent(std::size_t joint) noexcept;
   void noteSent(const Block& block, const SafeCommands::Mask& who) noexcept;
   [[nodiscard]] const Block& choose(const Due& due) const noexcept;
@@ -125,6 +129,7 @@ class GoalWriter {
   std::uint16_t goalTicks(Joint joint, Rad goal) noexcept;
 
   JointOffsets offsets_;
+  StallTorques stall_;
   std::uint32_t clamped_ = 0;
   Buffer frame_{}, second_frame_{};
   std::span<const std::uint8_t> second_;

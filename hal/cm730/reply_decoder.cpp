@@ -123,7 +123,7 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   }
   const auto joint = static_cast<Joint>(entry.joint);
   const RadPerSec velocity = velocityFromRegister(raw<kMotion, kSpeed>(motion));
-  const double load = loadFromRegister(raw<kMotion, kLoad>(motion));
+  const double load = stall_.load(joint, raw<kMotion, kLoad>(motion));
   position_ = at + 1;
   last_ = Taken::kServo;
   answered_[entry.joint] = true;
@@ -142,7 +142,7 @@ void ReplyDecoder::takePoll(Joint joint, Bytes block, ServoReading& out) const n
   out.torque_enabled = raw<kFirst, kTorqueEnable>(block) != 0;
   out.speed_limit = RadPerSec{si<kFirst, kMovingSpeed>(block)};
   out.goal = offsets_.jointAngle(joint, raw<kFirst, kGoal>(block));
-  out.torque_limit = torqueFromRegister(raw<kFirst, kTorqueLimit>(block));
+  out.torque_limit = stall_.limit(joint, raw<kFirst, kTorqueLimit>(block));
   out.voltage = Volt{si<kFirst, kServoVoltage>(block)};
   out.temperature = Celsius{si<kFirst, kTemperature>(block)};
 }

@@ -7,6 +7,7 @@
 #include "core/packet.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 #include "hal/cm730/read_list.hpp"
+#include "hal/cm730/stall_torques.hpp"
 #include "hal/cm730/wire.hpp"
 #include "hal/servo_bus.hpp"
 
@@ -17,7 +18,8 @@ namespace darwinop::cm730 {
 /// reply of exactly that length, and then only in list order.
 class ReplyDecoder {
  public:
-  explicit ReplyDecoder(const JointOffsets& offsets = {}) : offsets_{offsets} {}
+  explicit ReplyDecoder(const JointOffsets& offsets = {}, const StallTorques& stall = {})
+      : offsets_{offsets}, stall_{stall} {}
 
   void begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes, BusReadings& readings) noexcept;
   /// Takes all frames of `reader`. `more_expected`: see FrameReader::next(). A frame that is not followed directly by
@@ -55,6 +57,7 @@ class ReplyDecoder {
   void takePoll(Joint joint, Bytes block, ServoReading& out) const noexcept;
 
   JointOffsets offsets_;
+  StallTorques stall_;
   std::span<const ReadList::Entry> list_;
   BusReadings* readings_ = nullptr;
   std::uint8_t board_bytes_ = 0;

@@ -98,8 +98,34 @@ TEST(OtherHardware, ABoardOfAnotherModelIsRefusedUnlessRobotIniPermitsIt) {
       EXPECT_THAT(refused.what(), HasSubstr("board_model = 29696"));
     }
   }
-  serial.board_model = parseRobotFile("[Robot]\nboard_model = 29696\n", "robot.ini").board_model;
+  serial.permitted.board_model = parseRobotFile("[Robot]\nboard_model = 29696\n", "robot.ini").permitted.board_model;
   EXPECT_TRUE(openSerialBus(serial).safety.left_out.none());
+}
+
+TEST(OtherHardware, AnMx64PermittedByRobotIniGetsTheTorqueLimitOfAnMx28) {
+  RobotSetUp robot{{"LegLowerR=model:310"}};
+  SerialRobot serial = robot.serial();
+  EXPECT_THROW(static_cast<void>(openSerialBus(serial)), std::runtime_error);
+  serial.permitted = parseRobotFile("[Robot]\nservo_models = MX-64\n", "robot.ini").permitted;
+  const OpenedBus opened = openSerialBus(serial);
+  EXPECT_TRUE(opened.safety.left_out.none());
+  safety::Guard guard{opened.safety};
+  runtime::Cycle loop{*opened.bus, guard, opened.safety.period};
+  Commands asked;
+  asked.session = 1;
+  const auto limit = [&](Joint joint) {
+    return robot.byteOf(joint, servo::kTorqueLimit) + 256 * robot.byteOf(joint, servo::kTorqueLimit + 1);
+  };
+  Sensors seen;
+  for (int i = 0; i < 1500 && seen.safety.state != State::kDriven; ++i) {
+    ++asked.sequence;
+    loop.run(asked, {});
+    seen = loop.sensors();
+  }
+  EXPECT_EQ(seen.safety.state, State::kDriven);
+  EXPECT_EQ(limit(Joint::kLegLowerR), 426) << "2.5 of 6 N m";
+  EXPECT_EQ(limit(Joint::kLegLowerL), 1023);
+  EXPECT_NEAR(seen.joint[index(Joint::kLegLowerR)].torque_limit.value, kMaxTorqueNm, 0.003);
 }
 
 }  // namespace

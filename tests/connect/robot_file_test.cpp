@@ -82,6 +82,22 @@ TEST(RobotFile, RefusesAnAbsentJointThatDoesNotExistWithItsLine) {
   EXPECT_THAT(errorIn("[Robot]\nabsent = " + all + "\n"), HasSubstr(messages::kNoJointLeft));
 }
 
+TEST(RobotFile, NamesServoModelsThatItPermits) {
+  EXPECT_TRUE(parseRobotFile("[Robot]\nservo_models =\n", "robot.ini").permitted.servo_models.none());
+  const RobotFile robot = parseRobotFile("[Robot]\nservo_models = mx-106 , MX-64\n", "robot.ini");
+  for (const ServoModel& model : kServoModels)
+    EXPECT_EQ(isDriven(model, robot.permitted.servo_models), !model.name.ends_with("(2.0)")) << model.name;
+  EXPECT_THAT(describe(robot), HasSubstr("MX-64 MX-106"));
+}
+
+TEST(RobotFile, RefusesAServoModelThatCannotBePermitted) {
+  for (const char* models : {"MX-28(2.0)", "AX-12", "310", "MX-64,", "MX-64 MX-106"})
+    EXPECT_THAT(
+        errorIn(std::string{"[Robot]\nservo_models = "} + models + "\n"),
+        AllOf(StartsWith(text::where("robot.ini", 2)), HasSubstr("[Robot] servo_models"), HasSubstr("MX-64, MX-106")))
+        << models;
+}
+
 TEST(RobotFile, SectionsKeysAndJointsMayBeInAnyCase) {
   const RobotFile robot = parseRobotFile("[robot]\nPORT : \"/dev/ttyACM0\"\n[OFFSETS]\nneck = 0.1\n", "robot.ini");
   EXPECT_EQ(robot.port, "/dev/ttyACM0");
@@ -106,7 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[Robot]\ncontroller_user = a/b", 2, {"[Robot] controller_user = a/b: "}},
         Wrong{"[Robot]\nspeed = 3",
               2,
-              {"[Robot] speed = 3: ", "port", "camera", "period_ms", "group", "controller_user", "absent"}},
+              {"[Robot] speed = 3: ", "port", "camera", "period_ms", "group", "controller_user", "absent",
+               "board_model", "servo_models"}},
         Wrong{"[Offsets]\nNeck = 0.21", 2, {"[Offsets] Neck = 0.21: ", "-0.2 to 0.2 rad"}},
         Wrong{"[Offsets]\nNeck = nan", 2, {"[Offsets] Neck = nan: ", "-0.2 to 0.2 rad"}},
         Wrong{"[Offsets]\nNose = 0.1", 2, {"[Offsets] Nose = 0.1: ", "Neck"}},

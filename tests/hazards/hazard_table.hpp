@@ -309,6 +309,12 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "bus_test:Bus.LocksNoServoThatMayNotBeWrittenTo "
      "safety_test:JointWithoutWrites.ThatIsStiffStaysSoAndIsReportedWhileTheOthersComeToRest",
      "start-up"},
+    {"H607", "A joint pushes harder than asked for", "a servo of a stronger model",
+     "a torque in N m is the same at every joint", "refused unless robot.ini permits it; its limits are scaled",
+     "bus_test:StallTorques.AStrongerServoGetsTheTorqueLimitThatWasAskedForAndNotItsOwnMaximum "
+     "link_pty_test:OtherHardware.AnMx64PermittedByRobotIniGetsTheTorqueLimitOfAnMx28 "
+     "serial_test:Permitted/StrongerServo.IsRefusedWithItsNameAndTheSettingThatPermitsIt/Model310",
+     "start-up"},
     {"H605", "The loop misses every deadline", "FTDI latency timer of 16 ms", "an impossible period is refused",
      "refused; the message names the fix",
      "bus_test:UsbFrame/EightMilliseconds.AreRejectedWithTheDefaultLatencyTimerOfSixteen/1 "

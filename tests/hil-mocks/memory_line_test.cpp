@@ -132,8 +132,8 @@ std::string record(std::uint64_t seed) {
   std::string all;
   for (int cycle = 0; cycle < 500; ++cycle) {
     s.line.advanceTo(cycle * 16ms);
-    std::string sync = "FF FF FE 09 83 1E 04 13 00 0";
-    s.send(withChecksum(sync + (cycle % 2 == 0 ? "7" : "9") + " 40 00"));
+    s.send(
+        withChecksum(cycle % 2 == 0 ? "FF FF FE 09 83 1E 04 13 00 07 40 00" : "FF FF FE 09 83 1E 04 13 00 09 40 00"));
     s.send(withChecksum("FF FF FE 09 92 00 1E C8 18 06 13 24"));
     for (int i = 0; i < 4; ++i) all += s.read(3ms) + "\n";
   }

@@ -151,12 +151,14 @@ void addLosses(const RobotFacts& facts, Findings& rows) {
 
 }  // namespace
 
-bool isSupported(const ServoFacts& servo) {
-  return servo.readable && servo.model == find(kMx28, "model").reset && servo.firmware >= kOldestFirmware;
+bool isSupported(const ServoFacts& servo, const Permitted& permitted) {
+  const ServoModel* const model = findServoModel(servo.model);
+  return servo.readable && model != nullptr && isDriven(*model, permitted.servo_models) &&
+         servo.firmware >= model->oldest_firmware;
 }
 
 bool isSupported(const RobotFacts& facts) {
-  return facts.board.model == kCm730Model || facts.board.model == facts.board_model;
+  return facts.board.model == kCm730Model || facts.board.model == facts.permitted.board_model;
 }
 
 Findings diagnose(const RobotFacts& facts) {

@@ -20,8 +20,8 @@ inline constexpr double kLossAlarm = 0.01;
 
 Findings diagnose(const RobotFacts& facts);
 
-/// An MX-28 with the registers that this project knows. Nothing is written to any other servo.
-bool isSupported(const ServoFacts& servo);
+/// An MX-28 or a permitted model, with the registers that this project knows. Nothing is written to any other servo.
+bool isSupported(const ServoFacts& servo, const Permitted& permitted);
 /// A CM-730, or the board model that robot.ini permits. Nothing is written to any other board or to its servos.
 bool isSupported(const RobotFacts& facts);
 

@@ -27,7 +27,7 @@ class Trial {
  public:
   Trial(ByteLine& line, RobotFacts& facts) : line_{line}, facts_{facts} {
     for (std::size_t i = 0; i < kJoints; ++i)
-      if (isSupported(facts.servo[i])) list_.push_back(i);
+      if (isSupported(facts.servo[i], facts.permitted)) list_.push_back(i);
   }
 
   void run() {

@@ -26,6 +26,7 @@ inline constexpr auto kKindFaults = std::to_array<KindFault>({
     {Kind::kStatusLevel, BusFault::kStatusLevel},
     {Kind::kServoModel, BusFault::kServoModel},
     {Kind::kServoFirmware, BusFault::kServoFirmware},
+    {Kind::kServoMode, BusFault::kServoMode},
     {Kind::kWheelMode, BusFault::kWheelMode},
     {Kind::kMultiTurnMode, BusFault::kMultiTurnMode},
     {Kind::kNoRange, BusFault::kServoLimits},

@@ -28,7 +28,7 @@ class Probe {
     facts_.port = options.port;
     facts_.period = options.period;
     facts_.allowed = options.allowed;
-    facts_.board_model = options.board_model;
+    facts_.permitted = options.permitted;
     for (std::size_t i = 0; i < kJoints; ++i) {
       facts_.servo[i].absent = options.absent[i];
       facts_.start[i] = kJointTable[i].start + options.offsets.ticks(static_cast<Joint>(i));

@@ -7,6 +7,7 @@
 
 #include "hal/byte_line.hpp"
 #include "hal/cm730/diagnosis/finding.hpp"
+#include "hal/cm730/diagnosis/permitted.hpp"
 #include "hal/cm730/diagnosis/robot_facts.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 
@@ -27,7 +28,7 @@ struct ProbeOptions {
   std::bitset<kJoints> absent{};   // not measured
   bool observe = false;            // also what only takes longer to see: observation.hpp
   TickRanges allowed = tableRanges();
-  std::uint16_t board_model = find(kCm730, "model").reset;  // permitted beside the CM-730's
+  Permitted permitted{};
 
   /// Start of a loop: well under a second on a healthy robot, 300 ms more if servo power was off.
   static ProbeOptions quick() { return {}; }

@@ -10,6 +10,7 @@
 #include "core/packet.hpp"
 #include "core/registers.hpp"
 #include "core/servo_limits.hpp"
+#include "core/servo_models.hpp"
 #include "hal/cm730/diagnosis/bus_faults.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/servo_row.hpp"
@@ -143,6 +144,37 @@ void addInstructions(const ServoFacts& servo, ServoRow& found) {
   if (!servo.sync_write_works) found.add(Kind::kServoInstruction, "does not execute SYNC_WRITE", kCheck);
 }
 
+void addModel(const ServoFacts& servo, const Permitted& permitted, ServoRow& found) {
+  const ServoModel* const model = findServoModel(servo.model);
+  const std::string number = std::to_string(servo.model);
+  if (model == nullptr) {
+    found.add(Kind::kServoModel, "unsupported model " + number + " (expected 29, MX-28)",
+              row(BusFault::kServoModel).remedy);
+    return;
+  }
+  const std::string name{model->name};
+  if (!isDriven(*model, permitted.servo_models)) {
+    found.add(Kind::kServoModel, "unsupported model " + number + " (" + name + "; expected 29, MX-28)",
+              model->use == ServoUse::kRefused
+                  ? "install firmware of protocol 1.0 (model 29) with the vendor's tool, or replace it by an MX-28"
+                  : "replace it by an MX-28, or permit it in robot.ini: [Robot] servo_models = " + name);
+    return;
+  }
+  if (model->use == ServoUse::kIfPermitted) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%s, permitted by robot.ini, at most %.1f of its %.1f N m", name.c_str(),
+                  kMaxTorqueNm, model->stall_torque);
+    found.note(text);
+  }
+  if (servo.slave_mode)
+    found.add(Kind::kServoMode,
+              "its drive mode (register 10) is not 0: it follows another servo or turns the other way",
+              "set register 10 to 0 with the vendor's tool");
+  if (servo.torque_control)
+    found.add(Kind::kServoMode, "in torque control mode (register 70), or this cannot be read: goals do not stop it",
+              "hold the robot, switch servo power off and on");
+}
+
 }  // namespace
 
 std::string correctionRemedy(Correction correction) {
@@ -164,10 +196,9 @@ std::string correctionRemedy(Correction correction) {
 Finding readableRow(Joint joint, const RobotFacts& facts) {
   const ServoFacts& servo = facts.servo[index(joint)];
   ServoRow found{joint, summary(joint, servo)};
-  if (servo.model != find(kMx28, "model").reset)
-    found.add(Kind::kServoModel, "unsupported model " + std::to_string(servo.model) + " (expected 29, MX-28)",
-              row(BusFault::kServoModel).remedy);
-  if (servo.firmware < kOldestFirmware)
+  addModel(servo, facts.permitted, found);
+  const ServoModel* const model = findServoModel(servo.model);
+  if (servo.firmware < (model != nullptr ? model->oldest_firmware : kOldestFirmware))
     found.add(Kind::kServoFirmware, "firmware is older than 27: 1024 steps per turn and no PID",
               "update its firmware with the vendor's tool");
   addRange(joint, facts, found);

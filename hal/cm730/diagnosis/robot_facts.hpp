@@ -11,6 +11,7 @@
 #include "core/registers.hpp"
 #include "core/units.hpp"
 #include "hal/byte_line.hpp"
+#include "hal/cm730/diagnosis/permitted.hpp"
 
 namespace darwinop::cm730 {
 
@@ -44,6 +45,8 @@ struct ServoFacts {
   std::uint8_t return_delay = 0;                     // counts of 2 us
   std::uint16_t cw_limit = 0, ccw_limit = kTickMax;  // registers 6 and 8
   bool torque_on = false, led_on = false;
+  // Of an MX-64 or MX-106: register 10 is not 0, or register 70 is 1 or could not be read.
+  bool slave_mode = false, torque_control = false;
   std::uint16_t max_torque = 0, torque_limit = 0;  // counts; EEPROM and RAM
   Volt voltage;
   Celsius temperature;
@@ -94,12 +97,12 @@ struct ObservedFacts {
 };
 
 struct RobotFacts {
-  std::string port;                                         // for messages
-  Nanos period{16'000'000};                                 // period of the loop
-  TickRanges allowed = tableRanges();                       // allowed goals: joint table, settings and offsets
-  std::array<int, kJoints> start{};                         // start pose in servo ticks
-  std::uint16_t board_model = find(kCm730, "model").reset;  // permitted beside the CM-730's
-  bool lost = false;                                        // the line was lost during the measurement
+  std::string port;                    // for messages
+  Nanos period{16'000'000};            // period of the loop
+  TickRanges allowed = tableRanges();  // allowed goals: joint table, settings and offsets
+  std::array<int, kJoints> start{};    // start pose in servo ticks
+  Permitted permitted{};
+  bool lost = false;  // the line was lost during the measurement
   BoardFacts board;
   std::array<ServoFacts, kJoints> servo;
   InstructionFacts instructions;

@@ -5,6 +5,7 @@
 #include "core/conversions.hpp"
 #include "core/packet.hpp"
 #include "core/registers.hpp"
+#include "core/servo_models.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 
 namespace darwinop::cm730 {
@@ -48,7 +49,7 @@ class ServoProbe {
     readTable(id, servo);
     if (!servo.readable && !facts_.lost) readPatiently(id, servo);
     if (!servo.readable && !servo.garbled && !facts_.lost) correctMute(id, servo);
-    if (!isSupported(servo)) return;
+    if (!isSupported(servo, options_.permitted)) return;
     if (servo.status_level != kStatusLevelWanted) {
       servo.level_correction = correct(id, servo::kStatusLevel, kStatusLevelWanted, servo.torque_on);
       if (servo.level_correction == Correction::kDone) servo.status_level = kStatusLevelWanted;
@@ -100,6 +101,11 @@ class ServoProbe {
     servo.voltage = voltFromRegister(data[servo::kPresentVoltage]);
     servo.load = loadFromRegister(wordAt(data, find(kMx28, "present_load").address));
     servo.temperature = Celsius{static_cast<double>(data[servo::kPresentTemperature])};
+    const ServoModel* const model = findServoModel(servo.model);
+    if (model == nullptr || model->use != ServoUse::kIfPermitted) return;
+    servo.slave_mode = data[servo::kDriveMode] != 0;
+    const Answer mode = requests_.read(id, servo::kTorqueControl, 1);
+    servo.torque_control = !mode.ok() || mode.data()[0] != 0;
   }
 
   Correction correct(std::uint8_t id, std::uint8_t address, std::uint8_t wanted, bool torque_on) {

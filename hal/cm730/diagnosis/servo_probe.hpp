@@ -7,8 +7,8 @@
 
 namespace darwinop::cm730 {
 
-/// Fills `facts.servo` of all servos that are not absent. Writes only with ProbeOptions::correct, and then only to an
-/// MX-28, or with ProbeOptions::correct_mute to a servo whose model cannot be read.
+/// Fills `facts.servo` of all servos that are not absent. Writes only with ProbeOptions::correct, and then only to
+/// servos of a driven model, or with ProbeOptions::correct_mute to a servo whose model cannot be read.
 void measureServos(ProbeRequests& requests, const ProbeOptions& options, RobotFacts& facts);
 
 }  // namespace darwinop::cm730

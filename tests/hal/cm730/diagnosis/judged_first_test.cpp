@@ -75,7 +75,8 @@ TEST_P(AnotherServo, GetsNoWriteOfAnyKindAtStart) {
   EXPECT_EQ(decide(report.findings, Purpose::kDrive), Policy::kRefuse);
 }
 INSTANTIATE_TEST_SUITE_P(ThanAnMx28, AnotherServo,
-                         testing::Values("Neck=model:12", "Neck=model:30", "Neck=firmware:26", "Neck=status-level:0"),
+                         testing::Values("Neck=model:12", "Neck=model:30", "Neck=firmware:26", "Neck=status-level:0",
+                                         "Neck=model:310", "Neck=model:320", "Neck=model:311"),
                          [](const auto& test) { return "Case" + std::to_string(test.index); });
 
 TEST_F(JudgedFirst, AServoOfAnotherModelKeepsItsStatusLevelEvenFromTheDoctor) {
@@ -120,9 +121,9 @@ TEST_F(JudgedFirst, NothingIsWrittenToABoardOfAnotherModelNorToItsServos) {
 TEST_F(JudgedFirst, ABoardOfThePermittedModelIsDriven) {
   hil::setBoard(board, "model:29696");
   ProbeOptions options = ProbeOptions::quick();
-  options.board_model = 29696;
+  options.permitted.board_model = 29696;
   EXPECT_EQ(worst(probe(options).findings), Level::kOk);
-  options.board_model = 29697;
+  options.permitted.board_model = 29697;
   EXPECT_TRUE(has(probe(options).findings, Kind::kBoardModel)) << "only that model is permitted";
 }
 

@@ -117,6 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"LegLowerR=multi-turn", Kind::kMultiTurnMode, Policy::kRefuse, Policy::kLeaveOut},
                     Case{"ArmLowerL=model:12", Kind::kServoModel, Policy::kRefuse, Policy::kNoWrites},
                     Case{"ArmLowerL=model:30", Kind::kServoModel, Policy::kRefuse, Policy::kNoWrites},
+                    Case{"ArmLowerL=model:310", Kind::kServoModel, Policy::kRefuse, Policy::kNoWrites},
                     Case{"FootL=firmware:26", Kind::kServoFirmware, Policy::kRefuse, Policy::kLeaveOut},
                     Case{"FootL=max-torque:0", Kind::kMaxTorqueZero, Policy::kRefuse, Policy::kLeaveOut},
                     Case{"LegLowerR=missing", Kind::kLegServoSilent, Policy::kWait, Policy::kNoWrites},

@@ -1,0 +1,16 @@
+// Hardware that robot.ini permits, beside what is driven without a setting.
+#pragma once
+
+#include <cstdint>
+
+#include "core/registers.hpp"
+#include "core/servo_models.hpp"
+
+namespace darwinop::cm730 {
+
+struct Permitted {
+  std::uint16_t board_model = find(kCm730, "model").reset;
+  ServoModels servo_models{};
+};
+
+}  // namespace darwinop::cm730
