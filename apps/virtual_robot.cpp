@@ -55,8 +55,9 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_flag("--fast", a.fast, "Reply at once instead of at 1 Mbaud");
   app.add_option("--faults", a.faults, "Fault script; format: docs/virtual-robot.md")->check(CLI::ExistingFile);
   app.add_option("--servo", a.servo, "Servo configuration, JOINT=SETTING: " + hil::servoSettings());
-  app.add_option("--board", a.board,
-                 "Missing board feature: no-bulk-read, no-sync-write, one-block-length; or model:NUMBER");
+  app.add_option(
+      "--board", a.board,
+      "Board: cm-730, cm-740 or model:NUMBER; missing feature: no-bulk-read, no-sync-write, one-block-length");
   app.add_option("--seed", a.seed, "Random seed")->capture_default_str();
   app.add_option("--for", a.for_s, "Duration in seconds")->check(CLI::Range(0.01, 1e6));
   app.add_option("--latency-timer", a.latency_ms, "FTDI latency timer in ms (driver default: 16)")

@@ -6,6 +6,7 @@
 
 #include "connect/owned_bus.hpp"
 #include "connect/start_pose_findings.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/host_checks.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
 #include "hal/cm730/not_ready.hpp"
@@ -36,8 +37,8 @@ std::string names(const char* before, const std::bitset<kJoints>& joints) {
 }
 
 std::string describe(const SerialRobot& robot, const cm730::RobotFacts& facts, const safety::Config& safety) {
-  return robot.port + " (CM-730 firmware " + std::to_string(facts.board.firmware) + ", " +
-         std::to_string(servosFound(facts)) + " servos" + names("; absent: ", safety.absent) +
+  return robot.port + " (" + cm730::boardName(facts.board) + " firmware " + std::to_string(facts.board.firmware) +
+         ", " + std::to_string(servosFound(facts)) + " servos" + names("; absent: ", safety.absent) +
          names("; not driven: ", safety.left_out) + ")";
 }
 

@@ -1,10 +1,13 @@
 // Parses options of a virtual robot.
 #include "hil-mocks/robot_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
 #include <stdexcept>
+
+#include "core/board_models.hpp"
 
 namespace darwinop::hil {
 namespace {
@@ -51,6 +54,14 @@ bool setNumber(ServoOptions& servo, std::string_view setting) {
   return false;
 }
 
+/// "cm-740"; null: there is none of this name.
+const BoardModel* boardCalled(std::string_view name) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  for (const BoardModel& model : kBoardModels)
+    if (std::ranges::equal(name, model.name, {}, lower, lower)) return &model;
+  return nullptr;
+}
+
 }  // namespace
 
 std::string servoSettings() {
@@ -88,9 +99,12 @@ void setBoard(BoardOptions& options, std::string_view text) {
   else if (const auto model = wholeNumber(text.substr(std::min(text.size(), kModel.size())));
            text.starts_with(kModel) && model && *model <= 0xFFFF)
     options.model = static_cast<std::uint16_t>(*model);
+  else if (const auto* const row = boardCalled(text))
+    options.model = row->number;
   else
-    throw std::runtime_error("--board " + std::string{text} +
-                             ": expected no-bulk-read, no-sync-write, one-block-length or model:0..65535");
+    throw std::runtime_error(
+        "--board " + std::string{text} +
+        ": expected no-bulk-read, no-sync-write, one-block-length, cm-730, cm-740 or model:0..65535");
 }
 
 }  // namespace darwinop::hil

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/board_models.hpp"
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
 #include "core/registers.hpp"
@@ -62,6 +63,14 @@ void printJoints(std::ostream& out) {
   }
 }
 
+void printBoards(std::ostream& out) {
+  out << "| Model number | Board | Robot | Registers | Servo power | Absent devices | Not confirmed on hardware "
+         "|\n|---:|---|---|---|---|---|---|\n";
+  for (const BoardModel& b : kBoardModels)
+    out << "| " << b.number << " | " << b.name << " | " << b.robot << " | " << b.registers << " | " << b.power << " | "
+        << b.absent << " | " << b.unconfirmed << " |\n";
+}
+
 std::string_view use(ServoUse use) {
   switch (use) {
     case ServoUse::kDriven:
@@ -85,12 +94,16 @@ void printServoModels(std::ostream& out) {
 
 void printPage(std::ostream& out) {
   out << "# Joints and registers\n\n"
-         "Generated from `core/joints.hpp`, `core/registers.hpp` and `core/servo_models.hpp` by `./dev docs`; do not "
-         "edit.\n"
+         "Generated from `core/joints.hpp`, `core/registers.hpp`, `core/board_models.hpp` and `core/servo_models.hpp` "
+         "by\n"
+         "`./dev docs`; do not edit.\n"
          "Where sources disagree, the comments of those files name the conflict and the choice.\n\n"
          "## Joints\n\n"
          "2048 ticks are 0 rad, 4096 ticks are a turn. A rising tick is a positive angle, for every joint.\n\n";
   printJoints(out);
+  out << "\n## Boards\n\nAny other board is refused; `board_model` in robot.ini permits one with the registers of a "
+         "CM-730.\n\n";
+  printBoards(out);
   out << "\n## Servo models\n\nAny other model is refused. Source: the vendor's manuals, at 12 V, protocol 1.0. Those "
          "that can be driven have\nthe registers, 4096 steps a turn, speed units and gains of an MX-28. A torque limit "
          "in N m means the same at each of\nthem: at most 2.5 N m; loads are relative to 2.5 N m.\n\n";

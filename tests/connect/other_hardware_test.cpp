@@ -88,18 +88,23 @@ TEST(OtherHardware, ABoardWithoutAnInstructionOfTheLoopIsRefusedByItsName) {
 }
 
 TEST(OtherHardware, ABoardOfAnotherModelIsRefusedUnlessRobotIniPermitsIt) {
-  const RobotSetUp robot{{"model:29696"}};
+  const RobotSetUp robot{{"model:30000"}};
   SerialRobot serial = robot.serial();
   for (const auto purpose : {cm730::Purpose::kDrive, cm730::Purpose::kRescue}) {
     try {
       static_cast<void>(openSerialBus(serial, purpose));
       ADD_FAILURE() << "opened";
     } catch (const std::runtime_error& refused) {
-      EXPECT_THAT(refused.what(), HasSubstr("board_model = 29696"));
+      EXPECT_THAT(refused.what(), HasSubstr("board_model = 30000"));
     }
   }
-  serial.permitted.board_model = parseRobotFile("[Robot]\nboard_model = 29696\n", "robot.ini").permitted.board_model;
+  serial.permitted.board_model = parseRobotFile("[Robot]\nboard_model = 30000\n", "robot.ini").permitted.board_model;
   EXPECT_TRUE(openSerialBus(serial).safety.left_out.none());
+}
+
+TEST(OtherHardware, ACm740IsDrivenAndNamed) {
+  const RobotSetUp robot{{"cm-740"}};
+  EXPECT_THAT(openSerialBus(robot.serial()).description, HasSubstr("CM-740"));
 }
 
 TEST(OtherHardware, AnMx64PermittedByRobotIniGetsTheTorqueLimitOfAnMx28) {

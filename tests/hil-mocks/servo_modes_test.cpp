@@ -102,5 +102,14 @@ TEST(BoardOptionsText, RemovesAnInstruction) {
   EXPECT_EQ(no_sync_write.board.servo(Joint::kNeck).table().byte(25), 0);
 }
 
+TEST(BoardOptions, ABoardIsChosenByItsName) {
+  BoardOptions options;
+  setBoard(options, "cm-740");
+  EXPECT_EQ(options.model, 0x7400);
+  setBoard(options, "CM-730");
+  EXPECT_EQ(options.model, 0x7300);
+  EXPECT_THROW(setBoard(options, "cm-750"), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace darwinop::hil

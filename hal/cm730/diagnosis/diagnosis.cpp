@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/board_models.hpp"
 #include "core/registers.hpp"
 #include "core/servo_limits.hpp"
 #include "hal/cm730/diagnosis/cycle_time.hpp"
@@ -52,7 +53,10 @@ void addBoard(const RobotFacts& facts, Findings& rows) {
     rows.push_back(silentBoard(facts));
     return;
   }
-  rows.push_back(Finding::ok(format("CM-730 found, firmware 0x%02X", board.firmware)));
+  const BoardModel* const model = findBoardModel(board.model);
+  rows.push_back(Finding::ok(format("%s found, firmware 0x%02X", boardName(board).c_str(), board.firmware)));
+  if (model != nullptr && !model->unconfirmed.empty())
+    rows.back().what.append("; not confirmed on hardware: ").append(model->unconfirmed);
   if (!isSupported(facts))
     rows.push_back(Finding::of(
         Kind::kBoardModel,
@@ -60,7 +64,7 @@ void addBoard(const RobotFacts& facts, Findings& rows) {
                board.model, kCm730Model),
         format("if its registers are those of a CM-730, permit it in robot.ini: [Robot] board_model = %d",
                board.model)));
-  else if (board.model != kCm730Model)
+  else if (model == nullptr)
     rows.push_back(Finding::ok(format("board model %d is permitted by robot.ini", board.model)));
   rows.push_back(supply(board));
   if (!isSupported(facts)) return;
@@ -151,6 +155,11 @@ void addLosses(const RobotFacts& facts, Findings& rows) {
 
 }  // namespace
 
+std::string boardName(const BoardFacts& board) {
+  const BoardModel* const model = findBoardModel(board.model);
+  return model != nullptr ? std::string{model->name} : "board of model " + std::to_string(board.model);
+}
+
 bool isSupported(const ServoFacts& servo, const Permitted& permitted) {
   const ServoModel* const model = findServoModel(servo.model);
   return servo.readable && model != nullptr && isDriven(*model, permitted.servo_models) &&
@@ -158,7 +167,7 @@ bool isSupported(const ServoFacts& servo, const Permitted& permitted) {
 }
 
 bool isSupported(const RobotFacts& facts) {
-  return facts.board.model == kCm730Model || facts.board.model == facts.permitted.board_model;
+  return findBoardModel(facts.board.model) != nullptr || facts.board.model == facts.permitted.board_model;
 }
 
 Findings diagnose(const RobotFacts& facts) {

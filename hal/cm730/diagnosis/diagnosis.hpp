@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "hal/cm730/diagnosis/finding.hpp"
 #include "hal/cm730/diagnosis/robot_facts.hpp"
@@ -22,7 +23,10 @@ Findings diagnose(const RobotFacts& facts);
 
 /// An MX-28 or a permitted model, with the registers that this project knows. Nothing is written to any other servo.
 bool isSupported(const ServoFacts& servo, const Permitted& permitted);
-/// A CM-730, or the board model that robot.ini permits. Nothing is written to any other board or to its servos.
+/// A board of kBoardModels, or the one that robot.ini permits. Nothing is written to any other board or to its servos.
 bool isSupported(const RobotFacts& facts);
+
+/// "CM-730", or the model number of a board that has no row.
+std::string boardName(const BoardFacts& board);
 
 }  // namespace darwinop::cm730

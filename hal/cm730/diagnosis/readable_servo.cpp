@@ -146,10 +146,10 @@ void addInstructions(const ServoFacts& servo, ServoRow& found) {
 
 void addModel(const ServoFacts& servo, const Permitted& permitted, ServoRow& found) {
   const ServoModel* const model = findServoModel(servo.model);
-  const std::string number = std::to_string(servo.model);
+  const std::string number = std::to_string(servo.model), replace = "replace it by an MX-28";
   if (model == nullptr) {
     found.add(Kind::kServoModel, "unsupported model " + number + " (expected 29, MX-28)",
-              row(BusFault::kServoModel).remedy);
+              replace);
     return;
   }
   const std::string name{model->name};
@@ -157,7 +157,7 @@ void addModel(const ServoFacts& servo, const Permitted& permitted, ServoRow& fou
     found.add(Kind::kServoModel, "unsupported model " + number + " (" + name + "; expected 29, MX-28)",
               model->use == ServoUse::kRefused
                   ? "install firmware of protocol 1.0 (model 29) with the vendor's tool, or replace it by an MX-28"
-                  : "replace it by an MX-28, or permit it in robot.ini: [Robot] servo_models = " + name);
+                  : replace + ", or permit it in robot.ini: [Robot] servo_models = " + name);
     return;
   }
   if (model->use == ServoUse::kIfPermitted) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "core/board_models.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/probe_bench.hpp"
 #include "hal/cm730/diagnosis/rows.hpp"
@@ -106,7 +107,7 @@ TEST_F(JudgedFirst, AMuteServoThatTurnsOutToBeAnotherModelGetsNothingElse) {
 }
 
 TEST_F(JudgedFirst, NothingIsWrittenToABoardOfAnotherModelNorToItsServos) {
-  hil::setBoard(board, "model:29696");
+  hil::setBoard(board, "model:30000");
   for (const bool power : {false, true}) {
     board.servo_power = power;
     const ProbeReport report = probeWith({"Neck=return-delay:250"}, doctorFix());
@@ -118,12 +119,20 @@ TEST_F(JudgedFirst, NothingIsWrittenToABoardOfAnotherModelNorToItsServos) {
   }
 }
 
+TEST_F(JudgedFirst, ACm740IsDrivenAndNamedWithWhatIsNotConfirmed) {
+  hil::setBoard(board, "cm-740");
+  const ProbeReport report = probe();
+  EXPECT_EQ(worst(report.findings), Level::kOk);
+  EXPECT_NE(report.findings.front().what.find("CM-740"), std::string::npos);
+  EXPECT_NE(report.findings.front().what.find(findBoardModel(0x7400)->unconfirmed), std::string::npos);
+}
+
 TEST_F(JudgedFirst, ABoardOfThePermittedModelIsDriven) {
-  hil::setBoard(board, "model:29696");
+  hil::setBoard(board, "model:30000");
   ProbeOptions options = ProbeOptions::quick();
-  options.permitted.board_model = 29696;
+  options.permitted.board_model = 30000;
   EXPECT_EQ(worst(probe(options).findings), Level::kOk);
-  options.permitted.board_model = 29697;
+  options.permitted.board_model = 30001;
   EXPECT_TRUE(has(probe(options).findings, Kind::kBoardModel)) << "only that model is permitted";
 }
 
