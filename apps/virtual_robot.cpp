@@ -57,7 +57,7 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--servo", a.servo, "Servo configuration, JOINT=SETTING: " + hil::servoSettings());
   app.add_option(
       "--board", a.board,
-      "Board: cm-730, cm-740 or model:NUMBER; missing feature: no-bulk-read, no-sync-write, one-block-length");
+      "Board: cm-730, cm-740, none or model:NUMBER; missing feature: no-bulk-read, no-sync-write, one-block-length");
   app.add_option("--seed", a.seed, "Random seed")->capture_default_str();
   app.add_option("--for", a.for_s, "Duration in seconds")->check(CLI::Range(0.01, 1e6));
   app.add_option("--latency-timer", a.latency_ms, "FTDI latency timer in ms (driver default: 16)")

@@ -30,7 +30,7 @@ void VirtualBoard::forEachListener(std::uint8_t id, F&& action) noexcept {
   // Receivers are determined before effects: a write may change an id or cut the power.
   std::array<BusDevice*, kJoints + 1> listeners{};
   std::size_t count = 0;
-  if (id == kBroadcastId || id == device_.id()) listeners[count++] = &device_;
+  if (options_.board && (id == kBroadcastId || id == device_.id())) listeners[count++] = &device_;
   for (VirtualServo& s : servos_)
     if (s.listens(now_) && (id == kBroadcastId || id == s.id())) listeners[count++] = &s;
   for (std::size_t i = 0; i < count; ++i) action(*listeners[i]);

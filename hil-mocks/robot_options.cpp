@@ -99,12 +99,14 @@ void setBoard(BoardOptions& options, std::string_view text) {
   else if (const auto model = wholeNumber(text.substr(std::min(text.size(), kModel.size())));
            text.starts_with(kModel) && model && *model <= 0xFFFF)
     options.model = static_cast<std::uint16_t>(*model);
+  else if (text == kNoBoard.name)
+    options.board = false;
   else if (const auto* const row = boardCalled(text))
     options.model = row->number;
   else
     throw std::runtime_error(
         "--board " + std::string{text} +
-        ": expected no-bulk-read, no-sync-write, one-block-length, cm-730, cm-740 or model:0..65535");
+        ": expected no-bulk-read, no-sync-write, one-block-length, cm-730, cm-740, none or model:0..65535");
 }
 
 }  // namespace darwinop::hil

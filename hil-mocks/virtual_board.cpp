@@ -23,7 +23,7 @@ VirtualBoard::VirtualBoard(const BoardOptions& options, Body& body)
     servos_[i].setSupply(options.supply_v);
     servos_[i].measure(body_.state().joint[i]);
   }
-  device_.setServoPower(options.servo_power);
+  device_.setServoPower(options.servo_power || !options.board);
   afterBoardWrite();
 }
 
@@ -129,6 +129,7 @@ void VirtualBoard::setSupply(double volt) noexcept {
 }
 
 void VirtualBoard::pressReset() noexcept {
+  if (!options_.board) return;
   device_.restart();
   afterBoardWrite();
   parser_.clear();

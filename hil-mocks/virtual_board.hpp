@@ -26,6 +26,7 @@ struct BoardOptions {
   bool servo_power = false;  // initial state; false as after switching the robot on
   std::uint8_t firmware = 0x13;
   std::uint16_t model = find(kCm730, "model").reset;
+  bool board = true;  // false: servos alone on a USB2Dynamixel or U2D2, always supplied
   // Missing features of other firmware versions.
   bool bulk_read = true, sync_write = true;
   std::uint8_t only_block = 0;  // the only number of board bytes that BULK_READ supports; 0: any

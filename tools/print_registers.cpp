@@ -69,6 +69,8 @@ void printBoards(std::ostream& out) {
   for (const BoardModel& b : kBoardModels)
     out << "| " << b.number << " | " << b.name << " | " << b.robot << " | " << b.registers << " | " << b.power << " | "
         << b.absent << " | " << b.unconfirmed << " |\n";
+  out << "| | " << kNoBoard.name << " | " << kNoBoard.robot << " | " << kNoBoard.registers << " | " << kNoBoard.power
+      << " | " << kNoBoard.absent << " | " << kNoBoard.unconfirmed << " |\n";
 }
 
 std::string_view use(ServoUse use) {

@@ -102,6 +102,17 @@ TEST(BoardOptionsText, RemovesAnInstruction) {
   EXPECT_EQ(no_sync_write.board.servo(Joint::kNeck).table().byte(25), 0);
 }
 
+TEST(BoardOptions, WithoutABoardServosAnswerABulkReadByThemselves) {
+  BoardOptions options;
+  setBoard(options, "none");
+  Bench bench{options};
+  EXPECT_EQ(bench.send(withChecksum("FF FF C8 02 01")), "");
+  EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 01")), withChecksum("FF FF 13 02 00")) << "always supplied";
+  EXPECT_EQ(bench.send(withChecksum("FF FF FE 09 92 00 01 13 03 01 14 03")),
+            withChecksum("FF FF 13 03 00 13") + " | " + withChecksum("FF FF 14 03 00 14"));
+  EXPECT_EQ(bench.send(withChecksum("FF FF FE 09 92 00 1E C8 18 01 13 03")), "") << "they wait for the board";
+}
+
 TEST(BoardOptions, ABoardIsChosenByItsName) {
   BoardOptions options;
   setBoard(options, "cm-740");

@@ -14,6 +14,7 @@ enum class BusFault : std::uint8_t {
   kPortLost,
   kOtherProgram,
   kBoardSilent,
+  kNoBoard,
   kNotABoard,
   kBoardUnreadable,
   kBoardModel,
@@ -72,6 +73,10 @@ inline constexpr auto kBusFaultTable = std::to_array<BusFaultRow>({
      "stop it; `sudo fuser -v PORT` lists the programs", "polls every 8 to 100 ms and takes half of the replies"},
     {BusFault::kBoardSilent, "board_silent", "no CM-730 answers on PORT",
      "switch the robot on; check the USB cable inside it; is this the robot's port?", "no reply"},
+    {BusFault::kNoBoard, "no_board", "servos answer on PORT, but no CM-730",
+     "connect them to a CM-730 or CM-740: servos on a USB2Dynamixel or U2D2 are not driven; or set the board's id to "
+     "200",
+     "servos alone"},
     {BusFault::kNotABoard, "not_a_board", "what arrives on PORT are not replies of a CM-730",
      "choose the robot's port; if it is, replace the USB cable", ""},
     {BusFault::kBoardUnreadable, "board_unreadable", "the CM-730 answers pings only",

@@ -34,6 +34,13 @@ Finding silentBoard(const RobotFacts& facts) {
   if (facts.board.found)
     return Finding::of(Kind::kBoardUnreadable, "cannot read the registers of the CM-730 on " + facts.port,
                        "press the board's RESET button and try again; then check the USB cable");
+  if (facts.board.servos_without_it > 0)
+    return Finding::of(
+        Kind::kNoBoard,
+        format("no board answers on %s, but servos do (%d): a USB2Dynamixel or U2D2, or a board whose id "
+               "is not %d",
+               facts.port.c_str(), facts.board.servos_without_it, int{kBoardId}),
+        "connect the servos to a CM-730 or CM-740; servos without a board are not driven");
   return Finding::of(Kind::kBoardSilent, "no CM-730 answers on " + facts.port,
                      "switch the robot on and check the USB cable inside it; the board's LEDs must be lit");
 }

@@ -15,6 +15,7 @@ struct KindFault {
 };
 inline constexpr auto kKindFaults = std::to_array<KindFault>({
     {Kind::kBoardSilent, BusFault::kBoardSilent},
+    {Kind::kNoBoard, BusFault::kNoBoard},
     {Kind::kBoardGarbled, BusFault::kNotABoard},
     {Kind::kBoardUnreadable, BusFault::kBoardUnreadable},
     {Kind::kBoardModel, BusFault::kBoardModel},

@@ -22,6 +22,8 @@ constexpr Nanos kServoBoot{300'000'000};       // as upstream waits after switch
 constexpr Nanos kStallMargin{10'000'000};      // scheduling delay of a busy PC; not a loss
 constexpr Nanos kMarginOverMedian{3'000'000};  // delay by other programs and USB frames
 
+constexpr Patience kOnePing{1, Nanos{20'000'000}};  // a latency timer of 16 ms
+
 class Probe {
  public:
   Probe(ByteLine& line, const ProbeOptions& options) : line_{line}, options_{options} {
@@ -62,7 +64,10 @@ class Probe {
     board.found = pinged.ok();
     board.ping_tries = pinged.tries;
     board.garbled = pinged.garbled && !pinged.ok();
-    if (!board.found) return false;
+    if (!board.found) {
+      if (!board.garbled) countServosWithoutBoard();
+      return false;
+    }
     const Answer table = requests_.read(kBoardId, 0, kBoardBytes);
     board.garbled |= table.garbled && !table.ok();
     if (!table.ok()) return false;
@@ -78,6 +83,13 @@ class Probe {
       board.accelerometer[axis++] = MeterPerSec2{(wordAt(data, reg.address) - reg.zero) * reg.scale};
     }
     return true;
+  }
+
+  /// Pings only: what answers may be anything.
+  void countServosWithoutBoard() {
+    requests_.patience = kOnePing;
+    for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i)
+      if (!facts_.servo[i].absent && requests_.ping(kJointTable[i].id).ok()) ++facts_.board.servos_without_it;
   }
 
   void measureRoundTrip() {

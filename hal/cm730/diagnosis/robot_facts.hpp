@@ -71,7 +71,8 @@ struct ServoFacts {
 
 struct BoardFacts {
   bool found = false, garbled = false, readable = false;
-  int ping_tries = 0;  // until the first answer
+  int ping_tries = 0;         // until the first answer
+  int servos_without_it = 0;  // that answer a ping although the board does not
   std::uint16_t model = 0;
   std::uint8_t firmware = 0;
   bool power_was_on = false, power_on = false;  // servo power

@@ -158,6 +158,7 @@ const std::vector<DrawnFault> kDrawnFaults{
     // Beyond the twenty.
     {"board off", BusFault::kBoardSilent,
      [](RobotDraw& d, Rng&) { d.script.push_back(fault(hil::FaultKind::kStall)); }},
+    {"no board", BusFault::kNoBoard, [](RobotDraw& d, Rng&) { d.board.board = false; }},
     {"cable pulled", BusFault::kPortLost,
      [](RobotDraw& d, Rng& rng) { d.script.push_back(fault(hil::FaultKind::kUnplug, rng.uniform())); }},
     {"servo fuse", BusFault::kNoServo,

@@ -119,6 +119,16 @@ TEST_F(JudgedFirst, NothingIsWrittenToABoardOfAnotherModelNorToItsServos) {
   }
 }
 
+TEST_F(JudgedFirst, NothingIsWrittenToServosWithoutABoard) {
+  hil::setBoard(board, "none");
+  const ProbeReport report = probeWith({"Neck=return-delay:250", "Head=missing"}, doctorFix());
+  EXPECT_EQ(writes.all(), 0);
+  EXPECT_TRUE(has(report.findings, Kind::kNoBoard));
+  EXPECT_EQ(report.facts.board.servos_without_it, 19);
+  for (const auto purpose : {Purpose::kDrive, Purpose::kRescue})
+    EXPECT_GE(decide(report.findings, purpose), Policy::kWait);
+}
+
 TEST_F(JudgedFirst, ACm740IsDrivenAndNamedWithWhatIsNotConfirmed) {
   hil::setBoard(board, "cm-740");
   const ProbeReport report = probe();

@@ -132,6 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"PelvR=cw-limit:1536", Kind::kNarrowRange, Policy::kDrive, Policy::kDrive},
                     Case{"Neck=status-level:0", Kind::kServoUnreadable, Policy::kRefuse, Policy::kNoWrites},
                     Case{"model:30000", Kind::kBoardModel, Policy::kRefuse, Policy::kRefuse},
+                    Case{"none", Kind::kNoBoard, Policy::kWait, Policy::kWait},
                     Case{"no-bulk-read", Kind::kNoBulkRead, Policy::kRefuse, Policy::kRefuse},
                     Case{"no-sync-write", Kind::kNoSyncWrite, Policy::kRefuse, Policy::kRefuse},
                     Case{"one-block-length", Kind::kBlockLengths, Policy::kDrive, Policy::kDrive}),
