@@ -148,8 +148,7 @@ void addModel(const ServoFacts& servo, const Permitted& permitted, ServoRow& fou
   const ServoModel* const model = findServoModel(servo.model);
   const std::string number = std::to_string(servo.model), replace = "replace it by an MX-28";
   if (model == nullptr) {
-    found.add(Kind::kServoModel, "unsupported model " + number + " (expected 29, MX-28)",
-              replace);
+    found.add(Kind::kServoModel, "unsupported model " + number + " (expected 29, MX-28)", replace);
     return;
   }
   const std::string name{model->name};
