@@ -47,7 +47,7 @@ end_unless_well() {
   case $1 in
     0) return ;;
     1 | 3 | 4 | 5) exit "$1" ;;
-    255) die "the connection to $target was lost; the robot completes the present step and runs either the old or the new version. Check with --status, then try again" ;;
+    255) die "the connection to $target $msg_lost; the robot completes the present step and runs either the old or the new version. Check with --status, then try again" ;;
     *) die "the program on $target was interrupted (status $1); the robot runs either the old or the new version. Run the same command again to complete it" ;;
   esac
 }

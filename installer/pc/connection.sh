@@ -103,7 +103,7 @@ report_host_key() {
 log_in_with_key() {
   open_master -o StrictHostKeyChecking="$host_keys" -o PasswordAuthentication=no -o KbdInteractiveAuthentication=no && return
   if grep -q -e 'no matching' -e 'Unable to negotiate' "$connection/said" && [ -z "$legacy_options" ]; then
-    say "$target supports only old ssh algorithms, which are disabled by default as weak; enabling them for this robot and command only"
+    say "$target supports $msg_old_ssh, which are disabled by default as weak; enabling them for this robot and command only"
     legacy_options=$(legacy_ssh_options)
     log_in_with_key
     return
@@ -127,7 +127,7 @@ log_in_with_password() {
     open_master -o StrictHostKeyChecking="$host_keys" -o PubkeyAuthentication=no -o NumberOfPasswordPrompts=1
   ) && return
   if grep -q 'Permission denied' "$connection/said"; then
-    die "$target rejected the password; the default of a DARwIn-OP is 'darwin' and 111111, of an OP2 'robotis' and 111111"
+    die "$target $msg_password; the default of a DARwIn-OP is 'darwin' and 111111, of an OP2 'robotis' and 111111"
   fi
   explain_ssh
 }
@@ -143,7 +143,7 @@ look_for_root() {
       as_root="sudo -S -p '' "
       need_password "sudo"
       printf '%s\n' "$password" | ssh_session "sudo -S -p '' true" >/dev/null 2>&1 ||
-        die "sudo on $target rejected the password or this user; log in as a user with sudo permission"
+        die "sudo on $target $msg_password or this user; log in as a user with sudo permission"
       sudo_password=1
       ;;
     "") die "$target accepted the login but ran no command; check with 'ssh $target id'" ;;

@@ -60,7 +60,7 @@ send_controller() {
     robot_run receive_controller "$controller_name" "$kilobytes" $archive_sum
   status=$?
   phase_number=$((phase_number + 1))  # unpacking started in a subshell
-  [ $status != 255 ] || die "the connection to the robot was lost while sending $controller_name; the robot is unchanged. Try again"
+  [ $status != 255 ] || die "$msg_robot_lost while sending $controller_name; the robot is unchanged. Try again"
   [ $status = 0 ] || exit $status
 }
 
@@ -118,7 +118,7 @@ attended() {
 # On Ctrl-C: closing is sufficient; the robot's side reacts as to a lost connection.
 ask_to_stop() {
   if [ "$asked_to_stop" = 1 ]; then
-    [ -z "$attended_name" ] || say "$attended_name is already being stopped; please wait (at most 10 s, then it is killed). In an emergency press MODE on the robot"
+    [ -z "$attended_name" ] || say "$attended_name $msg_being_stopped; please wait (at most 10 s, then it is killed). In an emergency press MODE on the robot"
     return
   fi
   asked_to_stop=1
@@ -139,7 +139,7 @@ report_ending() { # STATUS
     255)
       # A controller may also return 255.
       ssh_call -O check "$target" >/dev/null 2>&1 ||
-        say "${error_mark}the connection to the robot was lost; $controller_name is stopped there within 10 s. See --logs"
+        say "${error_mark}$msg_robot_lost; $controller_name is stopped there within 10 s. See --logs"
       ;;
   esac
   return "$1"

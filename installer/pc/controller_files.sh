@@ -46,7 +46,7 @@ refuse_links_outside() { # FOLDER
   [ -n "$(cd "$1" && eval "find . $(pruned_folders) -type l -print" | head -n 1)" ] || return 0
   odd=$(list_data_files "$1" "${1##*/}" | while IFS= read -r file; do
     place=$(readlink -f "$root/$file")
-    case $place in "$root"/*) ;; *) printf '%s\n' "$1/${file#./} is a link out of the folder, to $place" ;; esac
+    case $place in "$root"/*) ;; *) printf '%s\n' "$1/${file#./} $msg_link_out, to $place" ;; esac
   done | head -n 1)
   [ -z "$odd" ] || die "$odd: replace the link by the file. Links within the folder are followed"
 }
@@ -58,7 +58,7 @@ check_controller_files() { # FOLDER
   odd=$(cd "$1" && eval "find -L . $(pruned_folders) -type l -print" | head -n 1)
   [ -z "$odd" ] || die "$1/${odd#./} is a link that leads nowhere: remove it, or put the file there"
   odd=$(cd "$1" && eval "find -L . $(pruned_folders) ! -type f ! -type d ! -type l -print" | head -n 1)
-  [ -z "$odd" ] || die "$1/${odd#./} is not a file or folder (a pipe, socket or device) and cannot be sent: remove it"
+  [ -z "$odd" ] || die "$1/${odd#./} $msg_not_file (a pipe, socket or device) and cannot be sent: remove it"
   odd=$(cd "$1" && eval "find -L . $(pruned_folders) -name '*
 *' -print" | head -n 1)
   [ -z "$odd" ] || die "$1 contains a name with a line break ($odd): rename it"

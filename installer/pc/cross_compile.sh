@@ -29,7 +29,7 @@ refuse_python() { # DIR
 
 # Name and folder of a controller. As in upstream, the name is the folder's.
 name_controller() { # DIR -> controller_folder controller_name
-  [ -d "$1" ] || die "folder $1 does not exist: specify the folder with the controller's sources"
+  [ -d "$1" ] || die "folder $1 $msg_no_folder with the controller's sources"
   controller_folder=$(cd "$1" && pwd) || die "cannot enter $1"
   controller_name=${controller_folder##*/}
   case $controller_name in
@@ -97,12 +97,12 @@ choose_makefile() { # -> controller_makefile makefile_is_full
     elif [ "$makefile" = Makefile.darwin-op ]; then
       controller_makefile=$makefile makefile_is_full=1
     else
-      say "$makefile is for the libraries of a robot without darwinop; building all *.cpp of the folder instead"
+      say "$makefile is for the libraries of a robot without darwinop; building all *.cpp $msg_instead"
     fi
     return
   done
   set -- "$controller_copy"/*.cpp
-  [ -f "$1" ] || die "$controller_folder contains no *.cpp and no Makefile.darwin-op: nothing to build"
+  [ -f "$1" ] || die "$controller_folder contains no *.cpp and no Makefile.darwin-op: $msg_nothing_to_build"
 }
 
 run_make() {
@@ -164,5 +164,5 @@ compile_controller() { # DIR
   run_make >&2 || die "$controller_name does not compile, see the lines above. Nothing was sent"
   find_program
   is_static_i386 "$controller_program" ||
-    die "${controller_program##*/} is not a static i386 program for the robot. Its $controller_makefile must call the compiler as g++ or c++"
+    die "${controller_program##*/} $msg_not_static. Its $controller_makefile must call the compiler as g++ or c++"
 }

@@ -7,7 +7,7 @@ phase_number=0
 phase_count=0
 
 begin_progress() {
-  (: >&3) 2>/dev/null || wrong_usage "--progress requires an open file descriptor 3"
+  (: >&3) 2>/dev/null || wrong_usage "--progress $msg_no_descriptor 3"
   progress=1
   error_mark="error: "
   trap : PIPE  # the reader may close at any time; cleanup must still run

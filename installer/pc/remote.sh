@@ -139,8 +139,8 @@ open_forward() { # PORT-OF-THE-ROBOT -> local_port
 report_lost_link() {
   status=1
   it="It"
-  [ "$window" = 0 ] || it="If the window drove it, it"
-  say "the connection to $target was lost, so the robot's state is unknown. $it stops, ends remote control within 10 s and sits down (or holds, see [Safety] on_exit). In an emergency press MODE on its back; check with: darwinop install --status $target"
+  [ "$window" = 0 ] || it="$msg_if_driven, it"
+  say "the connection to $target $msg_lost, so the robot's state is unknown. $it stops, ends remote control within 10 s and sits down (or holds, see [Safety] on_exit). In an emergency press MODE on its back; check with: darwinop install --status $target"
 }
 
 # 320x240 and its halves, as divisors of each side.

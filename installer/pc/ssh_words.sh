@@ -5,16 +5,16 @@
 explain_ssh() {
   host=${target#*@}
   if said "REMOTE HOST IDENTIFICATION HAS CHANGED"; then
-    die "$host has another host key than last time; if the robot was reinstalled or another robot has this address, run 'ssh-keygen -R $(known_name)' and try again; otherwise this may be a man-in-the-middle attack"
+    die "$host has $msg_other_key than last time; if the robot was reinstalled or another robot has this address, run 'ssh-keygen -R $(known_name)' and try again; otherwise this may be a man-in-the-middle attack"
   elif said "Host key verification failed" || said "host key is known"; then
     host_key_text=
     report_host_key
-    [ -z "$host_key" ] || [ -z "$host_key_text" ] || die "$host has another key$host_key_text than $host_key; not logged in. Check that this is the right robot"
-    die "$host is not known to this machine yet$host_key_text; check the network, then say 'yes' on a terminal, or add --new-host"
+    [ -z "$host_key" ] || [ -z "$host_key_text" ] || die "$host $msg_has_other_key$host_key_text than $host_key; not logged in. Check that this is the right robot"
+    die "$host $msg_unknown_host$host_key_text; check the network, then say 'yes' on a terminal, or add --new-host"
   elif said "Could not resolve hostname"; then
     die "unknown host '$host'; specify the address as user@host, for example darwin@192.168.123.1"
   elif said "Connection refused"; then
-    die "$host refuses ssh connections; check that sshd runs, and the port (-p)"
+    die "$host $msg_refuses; check that sshd runs, and the port (-p)"
   elif said "timed out" || said "No route to host" || said "Network is unreachable"; then
     die "$host does not answer; check that the robot is on and the cable or WLAN connected. Its address over the cable is 192.168.123.1"
   elif said "no matching" || said "Unable to negotiate"; then

@@ -38,8 +38,8 @@ end_on_signals() {
 # The robot does not notice; it completes a switch of versions that has started.
 interrupted() { # STATUS
   trap '' INT TERM HUP
-  [ -z "${changing:-}" ] || say "interrupted; the robot completes a step that has started, an incomplete archive changes nothing. Check with --status"
-  [ "$action" != remote ] || say "interrupted before the robot did anything"
+  [ -z "${changing:-}" ] || say "interrupted; $msg_completes, an incomplete archive changes nothing. Check with --status"
+  [ "$action" != remote ] || say "$msg_interrupted"
   exit "$1"
 }
 

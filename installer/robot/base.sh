@@ -67,7 +67,7 @@ lock() {
     found=$(cat "$home/lock" 2>/dev/null) || found=
     if lock_alive "$found"; then
       rm -f "$home/lock.new-$$"
-      die -5 "another installation is running on this robot (process ${found%% *}); wait until it has ended"
+      die -5 "$msg_other_install (process ${found%% *}); wait until it has ended"
     fi
     take_over "$found"
   fi

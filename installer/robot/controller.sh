@@ -5,7 +5,7 @@
 # its files.
 
 need_runtime() {
-  [ -x "$home/current/bin/darwinop-run" ] || die "darwinop is not installed on this robot. Install it first: darwinop install"
+  [ -x "$home/current/bin/darwinop-run" ] || die "darwinop is not installed on this robot. $msg_install_first"
 }
 
 # receive_controller NAME KILOBYTES CKSUM BYTES <archive.tar.gz
@@ -54,7 +54,7 @@ need_space() {
   for part in "$@"; do needed=$((needed + part)); done
   free=$(free_kb)
   [ "${free:-0}" -ge "$needed" ] ||
-    die "the robot's disk is too full: ${free:-0} kB are free, $needed kB are needed. Remove unused controllers from $home/controllers"
+    die "the robot's $msg_disk_full: ${free:-0} kB are free, $needed kB are needed. Remove unused controllers from $home/controllers"
 }
 
 # Removes leftovers of interrupted transfers, and replaced controllers that do not run.
@@ -86,12 +86,12 @@ make_default() {
   [ -x "$home/controllers/$1/$1" ] || die "controller $1 is not on this robot; send it with --controller"
   point "$home/default" "controllers/$1" || die "cannot link $home/default; the default controller is unchanged"
   sync
-  say "$1 is the default controller now: it starts at every boot"
+  say "$1 is the default controller now: it $msg_every_boot"
   say "at boot it starts only in the start pose; otherwise the robot does not move and the log (--logs) has the reason"
   if is_running; then
     say "$(sed -n 3p "$home/running") keeps running; $1 starts at the next boot"
   elif driver=$(robot_driver) && [ -n "$driver" ] && is_from_elsewhere "$driver"; then
-    say "a window on a PC drives this robot (process $driver) and continues; $1 starts at the next boot"
+    say "$msg_window_drives (process $driver) and continues; $1 starts at the next boot"
   elif supervisor_runs; then
     say "starting it now: keep clear of the robot"
     supervisor --restart-controller || die "cannot start $1; see --logs, or restart the robot"
@@ -105,7 +105,7 @@ make_no_default() {
   need_runtime
   lock
   before=$(readlink "$home/default") || {
-    say "there is no default controller; nothing to do"
+    say "$msg_no_default; $msg_nothing_to_do"
     return
   }
   rm -f "$home/default" || die "cannot remove $home/default; the default controller is unchanged"
@@ -133,7 +133,7 @@ show_logs() {
   for log in controller supervisor; do
     if [ "$1" = 1 ] || [ -f "$home/log/$log.log" ]; then set -- "$@" "$home/log/$log.log"; fi
   done
-  [ $# -gt 1 ] || die "there is no log yet: nothing has been started since the installation"
+  [ $# -gt 1 ] || die "$msg_no_log: nothing has been started since the installation"
   follow=$1
   shift
   if [ "$follow" = 0 ]; then

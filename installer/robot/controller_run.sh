@@ -17,7 +17,7 @@ run_controller() {
   stopped=0
   if supervisor_runs; then
     if [ -L "$home/default" ]; then
-      say "stopping the default controller; it starts again at the next boot"
+      say "$msg_stopping_default; it starts again at the next boot"
       stopped=1
     fi
     supervisor --stop-controller || die "cannot stop the default controller; see --logs"
@@ -50,7 +50,7 @@ claim_robot() {
   lock
   tries=0
   while is_running; do
-    [ $tries -lt 3 ] || die "$(sed -n 3p "$home/running") is already running on this robot; stop it first: darwinop install --stop"
+    [ $tries -lt 3 ] || die "$(sed -n 3p "$home/running") $msg_already_running: darwinop install --stop"
     tries=$((tries + 1))
     sleep 1
   done
@@ -98,7 +98,7 @@ check_start_pose() { # STOPPED
     tries=$((tries + 1))
     if [ "$1" = 0 ] || [ $tries -ge 15 ]; then
       printf '%s\n' "$found" >&2
-      die -3 "nothing was started: sit the robot down in its start pose and try again, or hold it and add --force"
+      die -3 "$msg_sit_down"
     fi
     sleep 1
   done

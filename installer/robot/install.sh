@@ -5,12 +5,12 @@
 preflight() {
   settings "$@"
   lock_alive "$(cat "$home/lock" 2>/dev/null)" &&
-    die -5 "another installation is running on this robot (process $(cut -d ' ' -f 1 "$home/lock")); wait until it has ended"
+    die -5 "$msg_other_install (process $(cut -d ' ' -f 1 "$home/lock")); wait until it has ended"
   find_problems
   [ "$problems" = 0 ] || die "nothing was changed"
   say "$(uname -m), kernel $(uname -r), $(free_kb) kB free, serial port $(robot_port), installed: $(version_current)"
   if is_done; then
-    say "version $version is installed and confirmed; nothing to do"
+    say "version $version $msg_confirmed; $msg_nothing_to_do"
     exit 10
   fi
   say "autostart by $(autostart_wanted)$(autostart_notes)"
@@ -81,12 +81,12 @@ reject_unlisted() {
   unlisted=$(gzip -dc "$1" | tar -tf - | awk -v manifest="$2/MANIFEST" '
     BEGIN { while ((getline line <manifest) > 0) { sub(/^[0-9]* [0-9]* /, "", line); known[line] = 1 }; known["MANIFEST"] = 1 }
     { sub(/^\.\//, "") } /\/$/ || $0 == "" || $0 == "." { next } !($0 in known) { print; exit }')
-  [ -z "$unlisted" ] || undo_stage "the archive contains $unlisted, which its MANIFEST does not list; rebuild it with './dev build --robot'"
+  [ -z "$unlisted" ] || undo_stage "the archive contains $unlisted, $msg_not_in_manifest; rebuild it with './dev build --robot'"
   unlisted=$(cd "$2" && sed 's/^[0-9]* [0-9]* //' MANIFEST | while IFS= read -r path; do
     case /$path/ in */../*) echo "$path" ;; esac
     { [ -f "$path" ] && [ ! -L "$path" ]; } || echo "$path"
   done | sed -n 1p)
-  [ -z "$unlisted" ] || undo_stage "$unlisted in the archive is missing or not a regular file; rebuild it with './dev build --robot'"
+  [ -z "$unlisted" ] || undo_stage "$unlisted in the archive is missing or $msg_not_regular; rebuild it with './dev build --robot'"
 }
 
 undo_stage() {

@@ -9,7 +9,7 @@ remote_server=
 
 # serve_remote FORCE TERMINAL WZ HZ WHO: status 0: served and ended, 3: not in the start pose, 130: ended before.
 serve_remote() {
-  force=$1 terminal=$2 zooms="$3 $4" name="the remote control of $5"
+  force=$1 terminal=$2 zooms="$3 $4" name="$msg_remote_control $5"
   exec 3<&0 </dev/null
   begin_step
   need_runtime
@@ -25,7 +25,7 @@ serve_remote() {
   stop_default_controller
   end_if_requested
   need_daemon
-  step "the runtime is ready"
+  step "$msg_ready"
   end_if_requested
   [ "$force" = 1 ] || await_start_pose
   start_server
@@ -54,7 +54,7 @@ refuse_other_driver() {
   [ -n "$driver" ] || return 0
   ! is_default_controller "$driver" || return 0
   ! is_from_elsewhere "$driver" ||
-    die "this robot is already driven from a window on a PC (process $driver). End it there, or stop it: darwinop install --stop"
+    die "$msg_driven_from_window (process $driver). End it there, or stop it: darwinop install --stop"
   die "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) already drives this robot and was started on the robot itself. End it there with Ctrl-C, or: sudo kill -INT $driver"
 }
 
@@ -83,16 +83,16 @@ await_start_pose() {
     if [ "$stopped" = 1 ] && [ $tries -lt 15 ]; then sleep 1 && continue; fi
     printf '%s\n' "$found" >&2
     [ "$terminal" = 1 ] ||
-      die -3 "nothing was started: sit the robot down in its start pose and try again, or hold it and add --force"
+      die -3 "$msg_sit_down"
     ask_pc pose
     case $answer in
-      go) step "start pose: wrong, continuing"; return ;;
+      go) step "$msg_pose_wrong"; return ;;
       retry) begin_step ;;
-      *) say "cancelled; nothing was started"; exit 3 ;;
+      *) say "$msg_cancelled"; exit 3 ;;
     esac
   done
   end_if_requested
-  step "start pose: ok"
+  step "$msg_pose_ok"
 }
 
 start_server() {

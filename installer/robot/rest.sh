@@ -13,15 +13,15 @@ report_rest() {
     case $state in
       *limp*)
         # Checked twice: a client that has just connected may be taking over.
-        [ $limp = 0 ] || { say "all joints are limp"; return; }
+        [ $limp = 0 ] || { say "$msg_limp"; return; }
         limp=1 held=0
         ;;
-      '') say "the robot's state is unknown: no runtime responds. Check with: darwinop install --status"; return ;;
-      offline*) say "the robot's state is unknown: its board does not respond. Check its power"; return ;;
+      '') say "$msg_state_unknown: $msg_no_runtime. Check with: darwinop install --status"; return ;;
+      offline*) say "$msg_state_unknown: its board does not respond. Check its power"; return ;;
       holding*) limp=0 held=$((held + 1)) ;;
       driven*)
         driver=$(robot_driver)
-        [ -z "$driver" ] || { say "the robot is now driven by another program, process $driver"; return; }
+        [ -z "$driver" ] || { say "$msg_now_driven, process $driver"; return; }
         ;;
       *) limp=0 held=0 ;;
     esac

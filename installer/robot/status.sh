@@ -5,11 +5,11 @@ status() {
   settings "$@"
   now=$(version_current)
   if [ "$now" = - ] && [ ! -e "$home" ]; then
-    echo "version:    none; nothing is installed"
+    echo "version:    none; $msg_nothing_installed"
     return
   fi
   if [ -e "$home/pending" ]; then
-    echo "version:    $now (not confirmed; the next start returns to $(sed 's/^-$/none/' "$home/pending"))"
+    echo "version:    $now ($msg_not_confirmed; the next start returns to $(sed 's/^-$/none/' "$home/pending"))"
   elif [ "$now" = - ]; then
     echo "version:    none (an installation was interrupted; run it again, or uninstall)"
   else
@@ -39,7 +39,7 @@ supervisor_state() {
 roll_back() {
   settings "$@"
   keep_target=1
-  if [ ! -e "$home" ]; then die "nothing is installed on this robot, so there is no previous version"; fi
+  if [ ! -e "$home" ]; then die "$msg_nothing_installed on this robot, so there is no previous version"; fi
   target=$(version_previous)
   # Unconfirmed: the version under test is replaced by the previous one.
   [ ! -s "$home/pending" ] || target=$(cat "$home/pending")

@@ -44,7 +44,7 @@ finish() {
   sync
   start_supervisor
   # <<< transaction
-  say "version $target is installed and confirmed"
+  say "version $target $msg_confirmed"
 }
 
 # back_out REASON: restores and starts the previous version; without one, removes everything.

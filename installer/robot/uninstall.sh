@@ -3,7 +3,7 @@
 
 uninstall() {
   settings "$@"
-  autostart_touched || [ -e "$home" ] || { say "nothing is installed on this robot; nothing to do" && return; }
+  autostart_touched || [ -e "$home" ] || { say "$msg_nothing_installed on this robot; $msg_nothing_to_do" && return; }
   if [ "$dry_run" = 1 ]; then
     say "would remove $home ($(du -s -k "$home" 2>/dev/null | cut -f 1) kB, with robot.ini, controllers and logs)"
     ! autostart_touched || say "would remove the autostart ($(autostart_kind)) and restore $etc/rc.local"
@@ -31,7 +31,7 @@ uninstall() {
 # Prints changed settings of robot.ini before removing it: offsets are laborious to determine.
 show_own_settings() {
   own=$(grep -v -x -F -f "$home/current/share/darwinop/robot.ini" "$home/robot.ini" 2>/dev/null) || return 0
-  say "removing robot.ini. These lines differ from the defaults; copy them if you need them again:"
+  say "removing robot.ini. These lines $msg_differ; copy them if you need them again:"
   printf '%s\n' "$own" | sed 's/^/    /' >&2
 }
 

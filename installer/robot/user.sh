@@ -38,7 +38,7 @@ make_user() {
     if group_exists $group; then devices="$devices,$group"; fi
   done
   if has_useradd; then make_user_with_tools; else make_user_by_hand; fi || return
-  say "created the user $usual_user: controllers, remote server and monitor run as it, not as root"
+  say "$msg_created_user $usual_user: controllers, remote server and monitor run as it, not as root"
   return 0  # even if the message cannot be written because the PC has disconnected
 }
 

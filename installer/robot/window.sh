@@ -32,7 +32,7 @@ wake_runtime() {
     }
     # During an installation a start would revert the version under test.
     (lock && need_supervisor) || {
-      say "not starting a runtime, see above. The window shows the robot as soon as a runtime runs"
+      say "$msg_no_start. The window shows the robot as soon as a runtime runs"
       return
     }
   fi
@@ -46,7 +46,7 @@ wake_runtime() {
     tries=$((tries + 1))
     sleep 1
   done
-  step "the runtime is ready"
+  step "$msg_ready"
 }
 
 report_driver() {
@@ -93,5 +93,5 @@ stop_driving_window() {
   if [ -z "$driver" ] || ! is_from_elsewhere "$driver"; then return 0; fi
   kill -TERM "$driver" 2>/dev/null
   ended_within "$end_s" "$driver" || kill -KILL "$driver" 2>/dev/null
-  say "the window that drove this robot is stopped"
+  say "$msg_window_stopped"
 }

@@ -3,6 +3,8 @@
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 installer=$(readlink -f "$here/../../installer")
+# shellcheck source=../../installer/pc/messages.sh
+. "$installer/pc/messages.sh"
 command -v i686-linux-gnu-g++ >/dev/null || { echo "not on this machine: i686-linux-gnu-g++. Install: g++-i686-linux-gnu"; exit 1; }
 LAB=$(mktemp -d)
 trap 'rm -rf "$LAB"' EXIT
@@ -153,7 +155,7 @@ scenario_a_makefile_for_the_old_libraries_is_left_aside() {
   printf 'all:\n\tg++ main.cpp /robotis/Linux/lib/darwin.a -o walker\n' >"$LAB/pc/walker/Makefile.robotis-op2"
   build_controller "$LAB/pc/walker"
   expect 0
-  expect_said 'building all \*.cpp of the folder instead'
+  expect_said "$msg_instead"
 }
 
 scenario_warnings_are_shown_without_failure() {
@@ -182,7 +184,7 @@ scenario_a_program_of_the_pc_is_never_sent() {
     printf 'all:\n\t%s main.cpp -o walker\n' "$compiler" >"$LAB/pc/walker/Makefile.darwin-op"
     build_controller "$LAB/pc/walker"
     expect 1
-    expect_said 'is not a static i386 program for the robot'
+    expect_said "$msg_not_static"
     rm -rf "$LAB/cache"
   done
 }
@@ -210,7 +212,7 @@ scenario_what_cannot_be_sent_is_refused_first() {
   mkfifo "$LAB/pc/walker/pipe"
   build_controller "$LAB/pc/walker"
   expect 1
-  expect_said 'is not a file or folder'
+  expect_said "$msg_not_file"
 }
 
 scenario_a_controller_in_python_is_refused_with_what_runs_it() {
@@ -236,11 +238,11 @@ scenario_without_library_or_sources_it_says_what_to_do() {
   expect_said './dev build --robot'
   build_controller "$LAB/pc/nobody"
   expect 1
-  expect_said 'does not exist: specify the folder'
+  expect_said "$msg_no_folder"
   mkdir -p "$LAB/pc/empty"
   build_controller "$LAB/pc/empty"
   expect 1
-  expect_said 'nothing to build'
+  expect_said "$msg_nothing_to_build"
 }
 
 # shellcheck disable=SC2046  # one name a line

@@ -9,7 +9,7 @@ scenario_without_a_runtime_it_says_to_install_first() {
   controller walker 'return 0;'
   run_install --controller "$LAB/pc/walker" --run
   expect_status 1
-  expect_said 'Install it first: darwinop install'
+  expect_said "$msg_install_first"
   [ ! -e "$ROBOT/opt/darwinop" ] || fail "the robot was changed"
 }
 
@@ -39,7 +39,7 @@ scenario_a_link_out_of_the_folder_is_refused() {
   ln -s "$LAB/pc/home/.ssh" "$LAB/pc/linker/sounds/more"
   run_install --controller "$LAB/pc/linker"
   expect_status 1
-  expect_said 'linker/sounds/more/.* is a link out of the folder, to .*/\.ssh/'
+  expect_said "linker/sounds/more/.* $msg_link_out, to .*/\.ssh/"
   [ ! -e "$ROBOT/opt/darwinop/controllers" ] || fail "something was sent"
 }
 
@@ -125,7 +125,7 @@ scenario_output_comes_live_and_ctrl_c_ends_it_normally() {
   wait_install
   expect_status 7
   grep -q '^done$' "$LAB/stdout" || fail "the second Ctrl-C interrupted the end of the controller"
-  grep -q 'already being stopped' "$LAB/stderr" || fail "no message for the second Ctrl-C"
+  grep -q "$msg_being_stopped" "$LAB/stderr" || fail "no message for the second Ctrl-C"
   robot_quiet
 }
 
@@ -149,7 +149,7 @@ scenario_a_link_that_falls_silent_stops_the_controller() {
   [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s: a short WLAN interruption would suffice"
   wait_install
   expect_status 255
-  grep -q 'the connection to the robot was lost' "$LAB/stderr" || fail "the lost connection was not reported"
+  grep -q "$msg_robot_lost" "$LAB/stderr" || fail "the lost connection was not reported"
 }
 
 scenario_a_controller_that_ignores_everything_is_ended() {
@@ -200,7 +200,7 @@ scenario_nothing_runs_out_of_the_start_pose() {
   run_install --controller "$LAB/pc/walker" --run
   expect_status 3
   expect_said 'knee is 0.8 rad off'
-  expect_said 'nothing was started'
+  expect_said "$msg_sit_down"
   expect_not_said '^walking$'
   run_install --controller "$LAB/pc/walker" --run --force
   expect_status 0
@@ -213,7 +213,7 @@ scenario_the_default_controller_is_stopped_first() {
   start_runtime
   run_install --controller "$LAB/pc/walker" --run
   expect_status 0
-  expect_said 'stopping the default controller'
+  expect_said "$msg_stopping_default"
   grep -q -e --stop-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not called"
 }
 
@@ -225,12 +225,12 @@ scenario_a_window_that_drives_is_named_and_goes_on() {
   sed -i "2i echo 'driver    pid $driver, for 3 s'" "$ROBOT/opt/darwinop/current/bin/darwinop-runtime"
   run_install --controller "$LAB/pc/walker" --run
   expect_status 1
-  expect_said "this robot is already driven from a window on a PC \(process $driver\)"
+  expect_said "$msg_driven_from_window \(process $driver\)"
   expect_not_said '^walking$'
   [ ! -e "$ROBOT/opt/darwinop/running" ] || fail "the robot is still claimed"
   run_install --controller "$LAB/pc/walker" --make-default
   expect_status 0
-  expect_said 'a window on a PC drives this robot .*; walker starts at the next boot'
+  expect_said "$msg_window_drives .*; walker "
   ! grep -qs . "$ROBOT/run/supervisor-calls" || fail "the supervisor was called"
   kill -KILL "$driver"
 }
@@ -240,7 +240,7 @@ scenario_make_default_links_it_and_restarts_it() {
   start_runtime
   run_install --controller "$LAB/pc/walker" --make-default
   expect_status 0
-  expect_said 'starts at every boot'
+  expect_said "$msg_every_boot"
   [ "$(readlink "$ROBOT/opt/darwinop/default")" = controllers/walker ] || fail "default is $(readlink "$ROBOT/opt/darwinop/default")"
   [ -x "$ROBOT/opt/darwinop/default/walker" ] || fail "default is a dangling link"
   grep -q -e --restart-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not called"
@@ -251,7 +251,7 @@ scenario_no_default_starts_nothing_at_boot_any_more() {
   start_runtime
   run_install --no-default
   expect_status 0
-  expect_said 'there is no default controller'
+  expect_said "$msg_no_default"
   run_install --controller "$LAB/pc/walker" --make-default
   run_install --no-default
   expect_status 0
@@ -290,13 +290,13 @@ scenario_a_full_disk_is_refused_before_anything_is_sent() {
   chmod 755 "$ROBOT/bin/df"
   run_install --controller "$LAB/pc/walker"
   expect_status 1
-  expect_said 'disk is too full: [0-9]+ kB are free, [0-9]+ kB are needed'
+  expect_said "$msg_disk_full: [0-9]+ kB .* [0-9]+ kB "
 }
 
 scenario_logs_show_the_last_lines_and_follow() {
   run_install --logs
   expect_status 1
-  expect_said 'there is no log yet'
+  expect_said "$msg_no_log"
   mkdir -p "$ROBOT/opt/darwinop/log"
   seq 300 >"$ROBOT/opt/darwinop/log/controller.log"
   run_install --logs

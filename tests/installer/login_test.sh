@@ -18,7 +18,7 @@ scenario_wrong_password_ends_with_a_sentence() {
   password=wrong
   run_install --bundle "$v1"
   expect_status 1
-  expect_said 'rejected the password'
+  expect_said "$msg_password"
   expect_same_disk --touched "a wrong password changed something"
 }
 
@@ -78,7 +78,7 @@ scenario_ctrl_c_in_the_self_test_is_completed_by_the_robot() {
   : >"$ROBOT/run/hold-self-test"
   run_install_on_terminal 'assword.*:=111111' 'self-test='$'\003' -- --bundle "$v1"
   expect_status 130
-  expect_said 'the robot completes a step that has started'
+  expect_said "$msg_completes"
   [ -z "$(pgrep -f 'ssh.* -M ' || true)" ] || fail "the connection, whose ssh knows the password, is still open"
   rm "$ROBOT/run/hold-self-test"
   robot_quiet
@@ -155,7 +155,7 @@ scenario_changed_host_key_is_refused() {
   for option in '' --new-host; do
     run_install ${option:+"$option"} --bundle "$v1"
     expect_status 1
-    expect_said 'another host key'
+    expect_said "$msg_other_key"
     expect_said "ssh-keygen -R $ADDRESS"
     expect_same_disk --touched "a robot with another host key was changed"
     cmp -s "$(known_hosts)" "$LAB/known_before" || fail "known_hosts was changed"
@@ -170,7 +170,7 @@ scenario_a_key_of_another_type_is_refused_where_one_is_known() {
     for option in '' --new-host; do
       run_install ${option:+"$option"} --bundle "$v1"
       expect_status 1
-      expect_said 'another host key'
+      expect_said "$msg_other_key"
       expect_said "ssh-keygen -R $ADDRESS"
       cmp -s "$(known_hosts)" "$LAB/known_before" || fail "known_hosts was changed"
     done
@@ -191,7 +191,7 @@ scenario_nobody_there() {
   stop_sshd
   run_install --bundle "$v1"
   expect_status 1
-  expect_said 'refuses ssh connections'
+  expect_said "$msg_refuses"
 }
 
 legacy_sshd() {
@@ -206,7 +206,7 @@ scenario_ssh_of_2009() {
     'Ciphers aes128-cbc,3des-cbc' 'MACs hmac-sha1,hmac-md5'
   run_install --bundle "$v1"
   expect_status 0
-  expect_said 'old ssh algorithms'
+  expect_said "$msg_old_ssh"
   expect_version 0.1.0+a
 }
 
@@ -220,7 +220,7 @@ scenario_the_weakest_ssh_of_2009_by_rsa_key_and_unknown() {
   password='not the password'
   run_install --new-host -i "$LAB/pc/rsa" --bundle "$v1"
   expect_status 0
-  expect_said 'old ssh algorithms'
+  expect_said "$msg_old_ssh"
   expect_version 0.1.0+a
   grep -q 'ssh-rsa' "$(known_hosts)" || fail "the robot's key was not stored"
 }
@@ -233,7 +233,7 @@ scenario_a_modern_robot_gets_no_weak_algorithm() {
   [ -s "$LAB/ssh_calls" ] || fail "the test did not see ssh being called"
   ! grep -E 'KexAlgorithms|HostKeyAlgorithms|Ciphers|MACs|ssh-rsa|sha1' "$LAB/ssh_calls" | grep -v '^-Q ' ||
     fail "a modern sshd was offered weak algorithms"
-  expect_not_said 'old ssh algorithms'
+  expect_not_said "$msg_old_ssh"
 }
 
 scenario_port_and_option_of_the_user_are_taken() {

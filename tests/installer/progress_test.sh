@@ -32,10 +32,10 @@ scenario_errors_are_marked_for_programs_only() {
   expect_said '^robot: error: nothing is installed'
   stop_sshd
   watch_install --status
-  expect_said '^darwinop install: error: .*refuses ssh connections'
+  expect_said "^darwinop install: error: .*$msg_refuses"
   run_install --status --progress 3>&-
   expect_status 2
-  expect_said 'file descriptor 3'
+  expect_said "$msg_no_descriptor 3"
 }
 
 scenario_an_unknown_key_is_shown_and_that_key_alone_taken() {
@@ -44,11 +44,11 @@ scenario_an_unknown_key_is_shown_and_that_key_alone_taken() {
   forget_host_key
   watch_install --status
   expect_status 1
-  expect_said "is not known to this machine yet \(ED25519 key ${key//+/\\+}\)"
+  expect_said "$msg_unknown_host \(ED25519 key ${key//+/\\+}\)"
   expect_progress "host-key ${key//+/\\+}"
   watch_install --host-key "$wrong" --status
   expect_status 1
-  expect_said 'has another key'
+  expect_said "$msg_has_other_key"
   watch_install --host-key "${key%?}" --status
   expect_status 2
   [ ! -s "$(known_hosts)" ] || fail "the unknown key was stored"

@@ -31,6 +31,10 @@ set -euo pipefail
 
 HERE=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 SOURCE=$(readlink -f "$HERE/../..")
+# shellcheck source=../../installer/robot/messages.sh
+. "$SOURCE/installer/robot/messages.sh"
+# shellcheck source=../../installer/pc/messages.sh
+. "$SOURCE/installer/pc/messages.sh"
 SCRIPT=$(readlink -f "$0")
 
 die() { printf 'installer test: %s\n' "$*" >&2; exit 1; }

@@ -22,7 +22,7 @@ scenario_same_version_again_changes_nothing() {
   remember_disk --touched
   run_install --bundle "$v1"
   expect_status 0
-  expect_said 'nothing to do'
+  expect_said "$msg_nothing_to_do"
   robot_quiet
   expect_same_disk --touched "installing the same version twice changed something"
 }
@@ -95,7 +95,7 @@ scenario_status_changes_nothing() {
   remember_disk --touched
   run_install --status
   expect_status 0
-  expect_said 'nothing is installed'
+  expect_said "$msg_nothing_installed"
   expect_same_disk --touched "--status changed something on a fresh robot"
   run_install --bundle "$v1"
   robot_quiet
@@ -154,7 +154,7 @@ scenario_uninstall_shows_what_was_written_into_robot_ini() {
   expect_not_said '^    \[Robot\]'
   run_install --bundle "$v1"
   run_install --uninstall
-  expect_not_said 'differ from the defaults'
+  expect_not_said "$msg_differ"
 }
 
 # The line of a user in the robot's file, or nothing.
@@ -173,7 +173,7 @@ scenario_controllers_get_a_user_without_rights_and_uninstall_removes_it() {
     grep -q '^video:x:44:darwin,darwinop$' "$ROBOT/etc/group" || fail "no camera for it: $(grep ^video "$ROBOT/etc/group")"
     grep -q '^audio:x:29:darwinop$' "$ROBOT/etc/group" || fail "no sound for it"
     run_install --bundle "$(fake_bundle 0.2.0+b)"
-    expect_not_said 'created the user'
+    expect_not_said "$msg_created_user"
     run_install --uninstall
     expect_status 0
     expect_same_disk "the user or the group stayed"
@@ -217,7 +217,7 @@ scenario_uninstall_twice_and_on_a_robot_without() {
   expect_status 0
   run_install --uninstall
   expect_status 0
-  expect_said 'nothing|not installed'
+  expect_said "$msg_nothing_installed"
   expect_same_disk "the second uninstall changed something"
   run_install --bundle "$v1"
   expect_status 0
@@ -241,7 +241,7 @@ scenario_a_life_on_a_robot_with_nothing_but_busybox() {
   expect_boots 0.1.0+a
   run_install --status
   expect_status 0
-  expect_not_said 'not found|unrecognized|invalid option|applet'
+  expect_not_said 'not found|unrecognized|invalid option|applet'  # no message of ours
   run_install --uninstall
   expect_status 0
   robot_quiet

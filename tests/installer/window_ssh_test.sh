@@ -12,8 +12,8 @@ start_window() {
 }
 
 open_page() {
-  await 'end with Ctrl'
-  url=$(sed -n 's/^open in a browser: //p' "$LAB/out")
+  await 'http://'
+  url=$(grep -o 'http://[^ ]*' "$LAB/out" | head -1)
 }
 
 # page NAME CHANNEL WORDS...: a page that runs until page_gone; received messages are in $LAB/NAME.
@@ -46,7 +46,7 @@ scenario_a_window_looks_on_drives_and_ends() {
   start_window
   open_page
   expect_said 'connected to darwin@127.0.0.1 \([0-9.]+ s\)$'
-  expect_said 'the runtime is ready'
+  expect_said "$msg_ready"
   # Only on loopback, on both sides; nobody drives, and nobody is kept from it.
   ! ss -Hltn 2>/dev/null | awk '{ print $4 }' | grep -vE '^(127\.0\.0\.1|\[::1\]):' || fail "a port is open to the network"
   page eyes monitor '{"rate":62.5}'
@@ -66,7 +66,7 @@ scenario_a_window_looks_on_drives_and_ends() {
   kill -INT -- "-$run_pid"
   wait_run
   expect_status 0
-  expect_last_line 'robot: (all joints are limp|the robot.s state is unknown)'  # a busy machine starves its board
+  expect_last_line "robot: ($msg_limp|$msg_state_unknown)"  # a busy machine starves its board
   expect_limp
   page_gone eyes
 }
@@ -84,11 +84,11 @@ scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   until grep -qs driving "$LAB/their-client"; do sleep 0.02; done
   start_window
   open_page
-  expect_said "darwinop-remote \(process [0-9]+\) drives this robot, and the window observes. .*: sudo kill -INT [0-9]+"
+  expect_said "darwinop-remote \(process [0-9]+\) .* kill -INT [0-9]+"
   page eyes monitor '{"rate":62.5}'
   await_page eyes '"state":"driven"'
   page hand steering '{"take":true}' '{}'
-  await_page hand 'another controller \(pid [0-9]+\) drives this robot'
+  await_page hand '\(pid [0-9]+\)'
   page_gone hand
   kill "$theirs" "$client_pid"
   wait "$theirs" "$client_pid" || true
@@ -108,8 +108,8 @@ scenario_a_window_starts_nothing_while_somebody_installs_and_ends_with_its_monit
   echo - >"$ROBOT/opt/darwinop/pending"
   start_window
   open_page
-  expect_said "another installation is running on this robot \(process $installing\)"
-  expect_said 'not starting a runtime, see above'
+  expect_said "$msg_other_install \(process $installing\)"
+  expect_said "$msg_no_start"
   [ "$(readlink "$ROBOT/opt/darwinop/current") $(cat "$ROBOT/opt/darwinop/pending")" = 'versions/real -' ] || fail "the version that is tried was taken back"
   [ -s "$ROBOT/opt/darwinop/lock" ] || fail "the lock of another one is gone"
   ! supervisor_says >/dev/null 2>&1 || fail "a supervisor was started"
@@ -130,14 +130,14 @@ scenario_the_end_of_a_window_is_reported() {
   page eyes monitor '{"rate":20}'
   cp "$LAB/out" "$LAB/first"
   if DARWINOP_PASSWORD=$password "$run" --robot "tcp://$login@$ADDRESS" "$client" </dev/null >"$LAB/out" 2>&1; then fail "two drive"; fi
-  expect_said 'this robot is already driven from a window on a PC'
+  expect_said "$msg_driven_from_window"
   run_install --stop
   expect_status 0
-  expect_said 'the window that drove this robot is stopped'
+  expect_said "$msg_window_stopped"
   cp "$LAB/first" "$LAB/out"
   wait_run
   expect_status 1
-  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page got no message"
+  grep -qa 'darwin@127.0.0.1' "$LAB/eyes" || fail "the page got no message"
   expect_limp
   start_window
   open_page
@@ -146,8 +146,8 @@ scenario_the_end_of_a_window_is_reported() {
   kill -KILL "$(master_of_ssh)"
   wait_run
   expect_status 1
-  expect_said 'the connection to .* was lost, .*If the window drove it, it stops'
-  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page got no message"
+  expect_said "$login@$ADDRESS $msg_lost, .*$msg_if_driven"
+  grep -qa 'darwin@127.0.0.1' "$LAB/eyes" || fail "the page got no message"
   rm "$ROBOT/opt/darwinop/current/bin/darwinop-monitor"
   start_window
   wait_run

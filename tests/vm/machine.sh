@@ -111,6 +111,6 @@ power_cut() {
   done
   vm kill
   wait || true
-  say "power cut $name; the installer had said: $(grep -v 'connection.*was lost' "$scratch/install.log" | tail -n 1)"
-  grep -q 'was lost' "$scratch/install.log" || fail "the installer did not notice the power cut $name"
+  say "power cut $name; the installer had said: $(grep -v "$msg_lost" "$scratch/install.log" | tail -n 1)"
+  grep -q "$msg_lost" "$scratch/install.log" || fail "the installer did not notice the power cut $name"
 }

@@ -12,6 +12,10 @@ repository=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..
 # In memory where there is room: the machine's disk is flushed often.
 scratch=$(mktemp -d "$([ -w /dev/shm ] && echo /dev/shm || echo /tmp)/robot-vm-test.XXXXXX")
 . "$(dirname "${BASH_SOURCE[0]}")/machine.sh"
+# shellcheck source=../../installer/robot/messages.sh
+. "$repository/installer/robot/messages.sh"
+# shellcheck source=../../installer/pc/messages.sh
+. "$repository/installer/pc/messages.sh"
 export ROBOT_VM_PORT=${ROBOT_VM_PORT:-$((20000 + $$ % 10000))}
 ways=${*:-rc.local}
 
@@ -58,13 +62,13 @@ sees() {
   install --controller "$of_red/04_visual_tracking" --run || fail "04_visual_tracking did not run"
   for_controller=()
   rm -r "$of_red"
-  said "I see the ball"
+  said "I see the ball"  # no message: the example's output
   say "04_visual_tracking sees red in the pictures of the kernel's test camera"
 }
 
 install_first() {
   install --bundle "$bundle" --autostart "$1" || fail "the first installation"
-  said "version $version is installed and confirmed"
+  said "version $version $msg_confirmed"
   say "version $version is installed, autostart by $1, over ssh with a password"
   [ "$1" != rc.local ] || sees
   install --controller "$repository/controllers/01_hello_head" --make-default || fail "the default controller was not taken"
