@@ -9,6 +9,9 @@ inline constexpr const char* kNoJointLeft = "a robot without any joint cannot be
 inline constexpr const char* kNoSuchServoModel = "give models with commas between, or nothing; there are ";
 inline constexpr const char* kGivenTwice = " is there a second time; keep one of the two";  // after the key
 
+// Start-up check; after the port, before the findings.
+inline constexpr const char* kCannotBeDriven = " cannot be driven:\n";
+
 // connect.cpp; after the controller's file.
 inline constexpr const char* kNoSafetyOverTcp = ": [Safety] and [Limits] do not reach a robot over TCP";
 

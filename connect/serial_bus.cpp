@@ -4,6 +4,7 @@
 #include <bitset>
 #include <stdexcept>
 
+#include "connect/messages.hpp"
 #include "connect/owned_bus.hpp"
 #include "connect/start_pose_findings.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
@@ -67,7 +68,7 @@ cm730::ProbeReport check(ByteLine& line, const SerialRobot& robot, cm730::Purpos
   report.findings.push_back(cm730::clockRow(cm730::clockResolution()));
   const cm730::Policy policy = cm730::decide(report.findings, purpose);
   if (policy < cm730::Policy::kWait) return report;
-  const std::string text = "the robot on " + robot.port + " cannot be driven:\n" + problemText(report.findings) +
+  const std::string text = "the robot on " + robot.port + messages::kCannotBeDriven + problemText(report.findings) +
                            stiffServos(report.facts) + "Ask for the whole list with: darwinop doctor --robot " +
                            robot.port;
   if (policy == cm730::Policy::kWait) throw cm730::NotReady(text);

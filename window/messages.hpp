@@ -10,6 +10,9 @@ inline constexpr const char* kNoHeartbeat = "No heartbeat from this page for hal
 inline constexpr const char* kNoRequests = "the window's program did not respond for 0.8 s. The robot holds.";
 inline constexpr const char* kNoTorque = "torque did not come on; check the servo power switch and the Faults tab";
 
+// Before the monitor's name and the reason.
+inline constexpr const char* kNoMonitor = "no connection to the monitor at ";
+
 // Refused requests of the motion planner.
 inline constexpr const char* kMotionAborted = "aborted: the robot did not follow";
 inline constexpr const char* kRobotDoesNotFollow = "the robot does not follow yet";

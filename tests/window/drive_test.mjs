@@ -1,6 +1,7 @@
 // Driving from the page, through the real lease, on a virtual robot.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
+import {message} from './messages.mjs';
 import {startBrowser, startWindow, takeRobot} from './window_program.mjs';
 
 let browser, shown;
@@ -83,7 +84,7 @@ test('one page drives; when it is closed the robot holds and another page may dr
   const first = await openPage(), second = await openPage();
   await drive(first);
   await second.click('#take');
-  await second.getByText('another page drives').waitFor();
+  await second.getByText(message('kAnotherPageDrives')).waitFor();
   await first.click('#tab-3');
   await first.locator('#aim-Head').fill('30');
   await first.close();
@@ -97,7 +98,7 @@ test('a page without heartbeat stops driving', async () => {
   const page = await openPage();
   await drive(page);
   await page.evaluate(() => { window.darwinop.steering.send = () => {}; });
-  await page.getByText('No heartbeat from this page').waitFor();
+  await page.getByText(message('kNoHeartbeat')).waitFor();
   await stateIs(page, 'holding');
   await page.close();
 });

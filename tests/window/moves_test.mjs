@@ -1,6 +1,8 @@
 // Walk, motion pages and torque from the page on the physics twin.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
+import {kNoData, kPoseUnknown, kStandingStill} from '../../window/page/src/messages.js';
+import {message} from './messages.mjs';
 import {kAxe, startBrowser, startWindow, takeRobot} from './window_program.mjs';
 
 let browser, shown, page;
@@ -52,7 +54,7 @@ test('walks while the pad is held and stands after its release', async () => {
     await page.mouse.up();
   }
   await drive();
-  await gaitStatusIs('Standing still');
+  await gaitStatusIs(kStandingStill);
   await page.waitForTimeout(1200);
   assert.ok(knee.high - knee.low > 0.3, `the knee moves: ${JSON.stringify(knee)}`);
   const still = await reach('LegLowerR.position', 0.5), up = await reach('accelerometer.z', 0.5);
@@ -65,7 +67,7 @@ test('walks with keys, and stands when the page loses the focus', async () => {
   await page.keyboard.down('x');
   await gaitStatusIs('Walking');
   await page.evaluate(() => dispatchEvent(new Event('blur')));
-  await gaitStatusIs('Standing still');
+  await gaitStatusIs(kStandingStill);
   await page.keyboard.up('x');
 });
 
@@ -99,7 +101,7 @@ test('an arm goes limp after a warning and gets its torque back at its position'
   assert.ok(await page.locator('#aim-ArmLowerL').isDisabled());
   await page.hover('#go-forward');
   await page.mouse.down();
-  await page.getByText('walking requires both arms').waitFor();
+  await page.getByText(message('kWalkRequiresTorque')).waitFor();
   await page.mouse.up();
   await page.click('#torque-left_arm');
   await page.waitForFunction(() => {
@@ -116,7 +118,7 @@ test('a page without heartbeat during a walk completes its step', async () => {
   await gaitStatusIs('Walking');
   await page.waitForTimeout(2500);  // it stands and is calibrated: walking by now
   await page.evaluate(() => { window.darwinop.steering.send = () => {}; });
-  await page.getByText('No heartbeat from this page').waitFor();
+  await page.getByText(message('kNoHeartbeat')).waitFor();
   await page.keyboard.up('x');
   await page.waitForFunction(() => document.getElementById('pills').textContent.includes('Stateholding'));
   await page.waitForTimeout(700);
@@ -150,8 +152,8 @@ test('a robot out of its start pose is driven only after confirmation', async ()
   await page.evaluate(() => window.darwinop.steering.stop());
   await page.locator('body:not(.driving)').waitFor();
   await page.evaluate(() => { window.darwinop.feed.socket.onmessage = null; });
-  await page.getByText('No data from the robot').waitFor();
+  await page.getByText(kNoData).waitFor();
   await page.click('#take');  // held, according to the last state
-  await page.getByText('its pose is unknown').waitFor();
+  await page.getByText(kPoseUnknown).waitFor();
   await page.click('#pose-cancel');
 });

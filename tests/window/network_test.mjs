@@ -1,6 +1,7 @@
 // A remote robot: runtime, monitor and remote server, and a window that uses only their ports.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
+import {message} from './messages.mjs';
 import {startBrowser, startProgram, startWindow} from './window_program.mjs';
 
 let browser, robot, monitor, server, shown, page;
@@ -55,7 +56,7 @@ test('observes and drives the robot over the network', async () => {
 test('reports a monitor that ends and reconnects when it is back', async () => {
   const port = portOf(monitor);
   await monitor.end();
-  const banner = page.locator('#banner').filter({hasText: 'no connection to the monitor'});
+  const banner = page.locator('#banner').filter({hasText: message('kNoMonitor').trim()});
   await banner.waitFor();
   monitor = await startMonitor(port);
   await page.locator('#banner').waitFor({state: 'hidden'});

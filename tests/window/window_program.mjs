@@ -2,6 +2,7 @@
 import {spawn} from 'node:child_process';
 import {existsSync} from 'node:fs';
 import {createRequire} from 'node:module';
+import {message} from './messages.mjs';
 
 const need = createRequire(`${process.env.DARWINOP_NPM}/`);
 const {chromium} = need('playwright-core');
@@ -32,10 +33,10 @@ export async function startProgram(noun, words, ready, more = {}) {
 export async function startWindow(...words) {
   for (let tries = 1; ; ++tries) {
     try {
-      const shown = await startProgram('window', words, /end with Ctrl/);
+      const shown = await startProgram('window', words, /http:\S+\n/);
       return Object.assign(shown, {url: shown.printed().match(/http:\S+/)[0]});
     } catch (error) {
-      if (tries === 4 || !error.message.includes('cannot be driven')) throw error;
+      if (tries === 4 || !error.message.includes(message('kCannotBeDriven', 'connect/messages.hpp'))) throw error;
     }
   }
 }

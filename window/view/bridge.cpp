@@ -7,6 +7,7 @@
 
 #include "monitor/messages.hpp"
 #include "monitor/search_message.hpp"
+#include "window/messages.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -87,7 +88,7 @@ void Bridge::forward(web::Channel& channel, std::string_view message, bool binar
 
 void Bridge::disconnected(web::Channel& channel, const std::string& why) {
   std::string reason =
-      "no connection to the monitor at " + name_ + " (" + why +
+      messages::kNoMonitor + name_ + " (" + why +
       "); retrying every second. Check that darwinop monitor is running there and allows this computer";
   Connection& connection = connections_.at(&channel);
   if (connection.gone_reason == reason) return;

@@ -7,11 +7,11 @@ const kRed = kBalls['Red ball'];
 
 test('describes a ball and the reason for none', () => {
   const ball = {x: 160, y: 99, percent: 4.08, pixels: 3133, box: [130, 70, 191, 129]};
-  assert.equal(resultText(ball, kRed), 'Ball at (160, 99), 4.1 % of the picture, in 62 × 60 pixels.');
+  assert.match(resultText(ball, kRed), /\(160, 99\), 4\.1 % .* 62 × 60 /);
   const none = {...ball, x: null, y: null};
-  assert.equal(resultText({...none, pixels: 0, percent: 0, box: null}, kRed), 'No ball: no area of this colour is at least 3 × 3 pixels.');
-  assert.equal(resultText({...none, percent: 41.2}, kRed), 'No ball: 41 % of the picture has this colour, at least the maximum of 30 %.');
-  assert.equal(resultText(none, {...kRed, minPercent: 5}), 'No ball: 4.1 % of the picture has this colour, at most the minimum of 5 %.');
+  assert.match(resultText({...none, pixels: 0, percent: 0, box: null}, kRed), / 3 × 3 /);
+  assert.match(resultText({...none, percent: 41.2}, kRed), / 41 % .* 30 %/);
+  assert.match(resultText(none, {...kRed, minPercent: 5}), / 4\.1 % .* 5 %/);
 });
 
 test('writes the settings as a line for a controller', () => {

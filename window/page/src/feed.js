@@ -1,4 +1,5 @@
 // Monitor channel: dispatches messages as events named by type; reconnects automatically.
+import {kNoData, kNoProgram, kWindowEnded} from './messages.js';
 import {isMessage, jointsOf} from './shapes.js';
 
 const kProtocol = 'darwinop-monitor.1';
@@ -62,14 +63,14 @@ export class Feed extends EventTarget {
 
   /// Why the data shown is not current, or null.
   get problem() {
-    if (this.ended !== null) return {text: `This window has ended: ${this.ended} The data shown is old.`};
+    if (this.ended !== null) return {text: `${kWindowEnded}: ${this.ended} The data shown is old.`};
     if (!this.connected)
-      return {text: 'No connection to the window’s program; the data shown is old. Check that `darwinop window` is running.'};
+      return {text: `${kNoProgram}; the data shown is old. Check that \`darwinop window\` is running.`};
     if (this.gone !== null) return {text: `Robot not available: ${this.gone}`};
     if (this.last_state_ms === null) return {text: 'Waiting for the robot …', mild: true};
     const silent_ms = performance.now() - this.last_state_ms;
     if (silent_ms < kSilent_ms) return null;
-    return {text: `No data from the robot for ${(silent_ms / 1000).toFixed(1)} s. The data shown is old.`};
+    return {text: `${kNoData} for ${(silent_ms / 1000).toFixed(1)} s. The data shown is old.`};
   }
 
   emit(type, detail) { this.dispatchEvent(new CustomEvent(type, {detail})); }

@@ -1,5 +1,6 @@
 // Walk pad: walks while a button or key is held; stops on release, loss of focus or loss of the connection.
 import {el, setText} from './dom.js';
+import {kStandingStill} from './messages.js';
 
 /// In the order of the pad; `way`: amplitudes.
 const kDirections = [
@@ -101,6 +102,6 @@ export class GaitPad {
       way.button.classList.toggle('held', held.has(way));
     }
     setText(this.status, !drives ? 'Hold a button or its key to walk; release it to stop.' : doing.walks ? 'Walking'
-      : doing.page !== 0 ? 'Playing a motion page' : 'Standing still');
+      : doing.page !== 0 ? 'Playing a motion page' : kStandingStill);
   }
 }

@@ -1,5 +1,6 @@
 // Dialog before a takeover of a robot that is not in its start pose.
 import {degrees, el, number} from './dom.js';
+import {kNoData, kPoseUnknown} from './messages.js';
 import {PosePicture} from './pose_picture.js';
 import {isSecure, poseFindings} from './start_pose.js';
 
@@ -36,7 +37,7 @@ export class PoseDialog {
       if (this.node.open) this.node.close();
       return this.go();
     }
-    this.status.replaceChildren(findings === null ? 'No data from the robot: its pose is unknown.' : this.list(findings));
+    this.status.replaceChildren(findings === null ? `${kNoData}: ${kPoseUnknown}.` : this.list(findings));
     if (!this.node.open) {
       this.node.showModal();
       this.retry.focus();

@@ -1,5 +1,6 @@
 // Progress of the installer: bar, step, result, Cancel button.
 import {el, setClass, setText} from './dom.js';
+import {kNothingRuns} from './messages.js';
 
 export class TransferProgress {
   constructor(transfer) {
@@ -44,7 +45,7 @@ const kNames = {status: 'Connecting', install: 'Installing', send: 'Sending', ru
 
 function statusText(state) {
   const {runs, step, text, cancelled} = state;
-  if (state.action === null) return 'Nothing runs.';
+  if (state.action === null) return kNothingRuns;
   const who = `${kNames[state.action]}, ${state.robot.user}@${state.robot.address}`;
   const how = {good: 'done', warn: 'cancelled', bad: 'failed'}[ended(state)];
   if (how) return `${who}: ${how}${text ? `. ${text}` : ''}${state.status > 1 ? ` (status ${state.status})` : ''}`;

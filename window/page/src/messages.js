@@ -1,0 +1,7 @@
+// Texts of the page by which its tests recognize a state.
+export const kWindowEnded = 'This window has ended';
+export const kNoProgram = 'No connection to the window’s program';
+export const kNoData = 'No data from the robot';
+export const kPoseUnknown = 'its pose is unknown';
+export const kStandingStill = 'Standing still';
+export const kNothingRuns = 'Nothing runs.';
