@@ -55,13 +55,16 @@ tools/check_words.pl || failed=1
 tools/check_types.pl || failed=1
 
 # Messages: a test that repeats the words of one has to be found, then all tests are checked.
-repeating=$(mktemp)
-grep -ohEm1 '"[a-z ]*[a-z] [a-z ]*"' hal/text_file.* >"$repeating"
-if tools/check_test_texts.pl "$repeating" 2>/dev/null; then
-  wrong "tools/check_test_texts.pl: does not find the words of a message in $repeating"
-else
-  rm "$repeating"
-fi
+repeating=$(mktemp -d)
+text=$(grep -ohEm1 '"[a-z ]*[a-z] [a-z ]*"' hal/text_file.*)
+echo "$text" >"$repeating/a_test.cpp"
+echo "grep -q $text" >"$repeating/a_test.sh"
+echo "assert.match(said, $text)" >"$repeating/a_test.mjs"
+for file in "$repeating"/*; do
+  ! tools/check_test_texts.pl "$file" 2>/dev/null ||
+    wrong "tools/check_test_texts.pl: does not find the words of a message in $(basename "$file"): $(cat "$file")"
+done
+rm -r "$repeating"
 tools/check_test_texts.pl || failed=1
 
 # Public headers: a method without a comment, one without a unit, and one with a bare number have to be found; then all

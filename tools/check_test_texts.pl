@@ -65,7 +65,7 @@ sub texts_of_script {
 }
 sub texts_of {
   my ($file, $line) = @_;
-  return texts_of_cpp($line) if $file =~ /pp$/;
+  return texts_of_cpp($line) if $file !~ /\.(?:sh|mjs|py)$/;
   return map { s/^\s+|\s+$//gr } $file =~ /\.sh$/ ? texts_of_shell($line) : texts_of_script($line);
 }
 
