@@ -1,5 +1,5 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# The PC that drives this robot over ssh: its heartbeats, its answers, and what ends when it has gone.
+# The PC that drives this robot: its heartbeats, its answers, and what ends when it has gone.
 
 remote_link=    # folder for communication between the parts
 remote_leave=0  # 1: the PC has disconnected, or SIGTERM

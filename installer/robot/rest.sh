@@ -1,5 +1,5 @@
 # shellcheck shell=sh disable=SC2154  # variables are shared with the other files
-# State of the robot, and what is said of it when a session has ended.
+# State of the robot, and the report of it at the end of a session.
 
 robot_driver() { "$home/current/bin/darwinop-runtime" --status 2>/dev/null | sed -n 's/^driver  *pid \([0-9]*\),.*/\1/p'; }
 robot_state() { "$home/current/bin/darwinop-runtime" --status 2>/dev/null | sed -n 's/^state  *//p'; }
