@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/joints.hpp"
 #include "twin/bench/bench.hpp"
 #include "twin/model/model.hpp"
 
@@ -34,7 +35,10 @@ struct Trajectory {
   bool held_out = false;                 // not used by any fit; verifies the result
   std::optional<std::size_t> repeat_of;  // index of the log that this one repeats
 
-  double p_register = 32;  // register 28
+  std::optional<Joint> joint;  // whose servo, in the recording of a robot
+
+  double p_register = 32;                 // register 28
+  std::vector<double> p_register_of_row;  // where it changes in the log; NaN: not known; empty: it does not
   double payload_kg = 0;
   std::optional<double> arm_mass_kg, length_m, supply_v;  // of this log's bench; none: those of the case
   double session_start_s = 0;                             // of the first row within the session
@@ -51,6 +55,10 @@ struct Trajectory {
   std::vector<MaskedReadings> masked;
 
   [[nodiscard]] std::size_t rows() const { return time_s.size(); }
+  /// Register 28 from the command of this row on.
+  [[nodiscard]] double pRegisterAt(std::size_t row) const {
+    return p_register_of_row.empty() ? p_register : p_register_of_row[row];
+  }
   [[nodiscard]] double duration_s() const { return time_s.empty() ? 0 : time_s.back() - time_s.front(); }
 };
 
