@@ -53,6 +53,17 @@ double Fields::number(std::string_view key, const twin::NumberRule& rule, double
   return has(key) ? number(key, rule) : otherwise;
 }
 
+std::vector<double> Fields::numbers(std::string_view key, const twin::NumberRule& rule, std::size_t count) {
+  const std::string wanted = "a list of " + std::to_string(count) + " numbers, each " + twin::allowed(rule);
+  const Json& value = needed(key, wanted);
+  const auto fits = [&](const Json& item) {
+    return item.is_number() && item.get<double>() >= rule.low && item.get<double>() <= rule.high;
+  };
+  if (!value.is_array() || value.size() != count || !std::ranges::all_of(value, fits))
+    fail(key, "is " + (value.is_array() ? value.dump() : shown(value)) + "; it has to be " + wanted);
+  return value.get<std::vector<double>>();
+}
+
 std::string Fields::text(std::string_view key) {
   const Json& value = needed(key, "a text");
   if (!value.is_string()) fail(key, "is " + shown(value) + "; it has to be a text");
@@ -153,6 +164,11 @@ const Json& Fields::needed(std::string_view key, const std::string& wanted) {
 
 std::string Fields::pathOf(std::string_view key) const {
   return path_.empty() ? std::string{key} : path_ + "." + std::string{key};
+}
+
+bool isWholeRobot(const Json& json) {
+  const auto family = json.find("family");
+  return family != json.end() && *family == "body";
 }
 
 Json parseJson(std::string_view text, const std::string& file) {

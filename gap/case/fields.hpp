@@ -22,6 +22,8 @@ class Fields {
   [[nodiscard]] bool has(std::string_view key);
   double number(std::string_view key, const twin::NumberRule& rule);
   double number(std::string_view key, const twin::NumberRule& rule, double otherwise);
+  /// A list of `count` numbers.
+  std::vector<double> numbers(std::string_view key, const twin::NumberRule& rule, std::size_t count);
   std::string text(std::string_view key);
   std::string text(std::string_view key, std::string_view otherwise);
   bool flag(std::string_view key, bool otherwise);
@@ -52,6 +54,9 @@ class Fields {
   std::string file_, path_;
   std::vector<std::string> known_;
 };
+
+/// A case of the whole robot, gap/case/body: "family" is "body".
+bool isWholeRobot(const Json& json);
 
 /// The whole of a file, an object. Throws BadInput with file and line for invalid JSON and for a key that occurs twice.
 Json parseJson(std::string_view text, const std::string& file);

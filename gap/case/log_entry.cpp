@@ -42,13 +42,22 @@ std::optional<Joint> jointOf(Fields& entry) {
 
 }  // namespace
 
+std::string logFileIn(Fields& entry) {
+  std::string file = entry.text("file");
+  if (!isInside(file))
+    entry.fail("file", std::string{messages::kBeyondFolder} + "; copy the log next to the case.json");
+  return file;
+}
+
+bool heldOutIn(Fields& entry) {
+  return entry.word("role", {"fit", "held_out", "score"}, 3) > 0;
+}
+
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   LogEntry out{};
-  out.head.file = entry.text("file");
-  if (!isInside(out.head.file))
-    entry.fail("file", std::string{messages::kBeyondFolder} + "; copy the log next to the case.json");
+  out.head.file = logFileIn(entry);
   out.head.kind = entry.text("trajectory", kindOf(out.head.file));
-  out.head.held_out = entry.word("role", {"fit", "held_out", "score"}, 3) > 0;
+  out.head.held_out = heldOutIn(entry);
   for (const ArmKey& key : armKeys())
     if (key.member == nullptr)
       out.head.payload_kg = entry.number(key.json, key.rule);

@@ -23,6 +23,8 @@ inline constexpr const char* kRepeatOfNothing = "names no log of this case";
 inline constexpr const char* kSecondSigma = "stands for a number that has a sigma already";
 inline constexpr const char* kTwoModels = "and `baseline` are two models";
 inline constexpr const char* kUnknownKey = "is not known";
+inline constexpr const char* kWholeRobot =
+    "is body: a case of the whole robot, for which there are `check`, `locate` and `run`; docs/gap/body.md";
 inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
 
 // BAM

@@ -63,14 +63,6 @@ logs::Log readRegularLog(const fs::path& path) {
   return logs::readLog(path.string());
 }
 
-logs::Log load(const CaseFiles& files, const std::string& name) {
-  try {
-    return files.log(name);
-  } catch (const std::runtime_error& error) {
-    throw BadInput(error.what());
-  }
-}
-
 void takeOrder(Fields& top, bool recording, Case& into) {
   const std::vector<std::string_view> words{"after_read", "before_read"};
   const auto order = static_cast<GoalOrder>(top.word("goal_order", words, 0));
@@ -83,6 +75,14 @@ void takeOrder(Fields& top, bool recording, Case& into) {
 
 }  // namespace
 
+logs::Log loadLog(const CaseFiles& files, const std::string& name) {
+  try {
+    return files.log(name);
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
+  }
+}
+
 Case parseCase(std::string_view json, const std::string& file, const CaseFiles& files) {
   const Json parsed = parseJson(json, file);
   Fields top{parsed, file, ""};
@@ -94,6 +94,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   // The name of a model has these limits.
   if (out.name.size() > 120 || out.name.find_first_of("\"';#\n\r") != std::string::npos)
     top.fail("case", std::string{messages::kInvalidName} + "; use 1 to 120 characters without quotes, ; and #");
+  if (isWholeRobot(parsed)) top.fail("family", messages::kWholeRobot);
   for (const std::string_view key :
        {"family", "columns", "host_dt_s", "goal_order", "servo_datasheet", "prior_rel_sigma"})
     top.leave(key);
@@ -106,7 +107,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   top.finish(out.warnings);
 
   for (LogEntry& entry : entries) {
-    const logs::Log log = load(files, entry.head.file);
+    const logs::Log log = loadLog(files, entry.head.file);
     takeOrder(top, log.recording, out);
     out.warnings.insert(out.warnings.end(), log.warnings.begin(), log.warnings.end());
     fillTrajectory(log, raw, entry, out.warnings);
@@ -127,7 +128,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   return out;
 }
 
-Case readCase(const std::string& folder) {
+std::string caseTextIn(const std::string& folder) {
   const std::string file = (fs::path{folder} / "case.json").string();
   std::optional<std::string> text;
   try {
@@ -139,15 +140,22 @@ Case readCase(const std::string& folder) {
     throw BadInput(file +
                    ": there is no such file. It lists the logs of a case and its model: copy "
                    "the one of the shipped example and change it, docs/gap/cases.md explains each key");
-  const CaseFiles files{
-      .log = [&](const std::string& name) { return readRegularLog(fs::path{folder} / name); },
+  return *text;
+}
+
+CaseFiles filesIn(const std::string& folder) {
+  return {
+      .log = [=](const std::string& name) { return readRegularLog(fs::path{folder} / name); },
       .model =
-          [&](const std::string& name) {
+          [=](const std::string& name) {
             const fs::path beside = fs::path{folder} / name;
             return twin::readModel(fs::exists(beside) ? beside.string() : twin::findModel(name));
           },
   };
-  return parseCase(*text, file, files);
+}
+
+Case readCase(const std::string& folder) {
+  return parseCase(caseTextIn(folder), (fs::path{folder} / "case.json").string(), filesIn(folder));
 }
 
 }  // namespace darwinop::gap

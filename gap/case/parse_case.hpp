@@ -16,6 +16,13 @@ struct CaseFiles {
   std::function<twin::Model(const std::string& name)> model;
 };
 
+/// Files in the folder of a case; a model may also be one of the shipped ones.
+CaseFiles filesIn(const std::string& folder);
+/// The text of FOLDER/case.json. Throws BadInput.
+std::string caseTextIn(const std::string& folder);
+/// The log, or BadInput.
+logs::Log loadLog(const CaseFiles& files, const std::string& name);
+
 /// `file`: what errors call the JSON. Throws BadInput.
 Case parseCase(std::string_view json, const std::string& file, const CaseFiles& files);
 

@@ -37,6 +37,9 @@ struct LogEntry {
   double hangs_at_rad;         // angle of the joint at which the arm hangs down; a case counts from there
 };
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);
+/// Of an entry: `file`, which must be in the folder, and whether `role` is held_out.
+std::string logFileIn(Fields& entry);
+bool heldOutIn(Fields& entry);
 
 /// The rows of a log. A recording of the runtime, docs/logs.md, also has some values of `entry`. Throws
 /// BadInput for a column that is missing or has a wrong unit, and for a value that is missing. `raw`: of columns with

@@ -1,0 +1,142 @@
+#include "gap/case/body/body_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/units.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kFallen = kPi / 3;              // rad of tilt against the start: no gait or squat comes near
+constexpr double kFallWindow = 0.2;              // s over which the accelerometer is averaged: footsteps are shorter
+constexpr double kUnmoved = 4 * 2 * kPi / 4096;  // rad: noise of an encoder is a tick
+constexpr double kClampedRate = 0.3;             // rad/s about the median: five steps of the register
+constexpr double kIndependent = 0.3;             // sine of the least angle between directions of gravity
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Mean of each axis over the rows [from, to) that have one.
+Axes meanOf(const AxesColumns& columns, std::size_t from, std::size_t to) {
+  Axes mean{};
+  for (std::size_t axis = 0; axis < mean.size(); ++axis) {
+    double count = 0;
+    for (std::size_t row = from; row < to; ++row)
+      if (const double value = columns[axis][row]; !std::isnan(value)) mean[axis] += value, count += 1;
+    mean[axis] /= count;
+  }
+  return mean;
+}
+
+double dot(const Axes& a, const Axes& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+double angleBetween(const Axes& a, const Axes& b) {
+  return std::acos(std::clamp(dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)), -1.0, 1.0));
+}
+
+std::optional<double> fallIn(const BodyLog& log, double period_s) {
+  const auto window = std::max<std::size_t>(1, static_cast<std::size_t>(kFallWindow / period_s));
+  if (log.setup != BodySetup::kFloor || log.rows() < 2 * window) return std::nullopt;
+  const Axes start = meanOf(log.accel_m_s2, 0, window);
+  for (std::size_t row = window; row + window <= log.rows(); ++row)
+    if (angleBetween(start, meanOf(log.accel_m_s2, row, row + window)) > kFallen) return log.time_s[row];
+  return std::nullopt;
+}
+
+double greatestRate(const AxesColumns& gyro) {
+  double greatest = 0;
+  for (const std::vector<double>& axis : gyro) {
+    std::vector<double> known;
+    std::ranges::copy_if(axis, std::back_inserter(known), [](double value) { return !std::isnan(value); });
+    const double median = medianOf(known);
+    for (const double value : known) greatest = std::max(greatest, std::abs(value - median));
+  }
+  return greatest;
+}
+
+BodyLogCheck checkOf(const BodyCase& given, std::size_t i) {
+  const BodyLog& log = given.logs[i];
+  BodyLogCheck out;
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < log.rows(); ++row) steps.push_back(log.time_s[row] - log.time_s[row - 1]);
+  out.duration_s = log.time_s.back();
+  out.period_s = medianOf(steps);
+  out.late_rows =
+      static_cast<std::size_t>(std::ranges::count_if(steps, [&](double step) { return step > 1.5 * out.period_s; }));
+  for (std::size_t j = 0; j < kJoints; ++j) {
+    const Trajectory& joint = given.joint(i, j);
+    const auto limp = std::ranges::count(joint.torque_on, 0);
+    if (limp > 0) out.limp.push_back(kJointTable[j].name);
+    out.limp_s = std::max(out.limp_s, static_cast<double>(limp) * out.period_s);
+    double low = 1e9, high = -1e9;
+    for (const double position : joint.position_rad) {
+      if (std::isnan(position)) ++out.unanswered;
+      low = std::fmin(low, position), high = std::fmax(high, position);
+    }
+    if (high - low < kUnmoved) out.unmoved.push_back(kJointTable[j].name);
+  }
+  out.fell_at_s = fallIn(log, out.period_s);
+  out.greatest_rate_rad_s = greatestRate(log.gyro_rad_s);
+  return out;
+}
+
+/// Gravity's directions of the clamped logs: how many are linearly independent (Gram and Schmidt).
+std::size_t orientationsOf(const BodyCase& given) {
+  std::vector<Axes> basis;
+  for (const BodyLog& log : given.logs) {
+    if (!log.up || log.held_out) continue;
+    Axes left = *log.up;
+    for (const Axes& one : basis) {
+      const double along = dot(left, one);
+      for (std::size_t axis = 0; axis < 3; ++axis) left[axis] -= along * one[axis];
+    }
+    const double length = std::sqrt(dot(left, left));
+    if (length < kIndependent) continue;
+    for (double& value : left) value /= length;
+    basis.push_back(left);
+  }
+  return basis.size();
+}
+
+}  // namespace
+
+BodyCheck checkData(const BodyCase& given) {
+  BodyCheck out;
+  out.warnings = given.warnings;
+  for (std::size_t i = 0; i < given.logs.size(); ++i) {
+    const BodyLog& log = given.logs[i];
+    const BodyLogCheck& check = out.logs.emplace_back(checkOf(given, i));
+    if (check.fell_at_s)
+      out.warnings.push_back(log.file + ": the robot falls at " + std::to_string(*check.fell_at_s) +
+                             " s; cut the recording there");
+    if (log.up && check.greatest_rate_rad_s > kClampedRate)
+      out.warnings.push_back(log.file + ": the trunk turns by " + std::to_string(check.greatest_rate_rad_s) +
+                             " rad/s although it is clamped; was it held by hand?");
+    if (log.lost_rows > 0)
+      out.warnings.push_back(log.file + ": " + std::to_string(log.lost_rows) + " rows are lost; `cycle` has gaps");
+  }
+  out.orientations = orientationsOf(given);
+  if (out.orientations == 0)
+    out.cannot_show.emplace_back("bias, scale, axes and mounting of the inertial sensor: clamp the trunk in a stand");
+  else if (out.orientations < 3)
+    out.cannot_show.push_back("bias, scale, axes and mounting of the accelerometer apart: gravity is along " +
+                              std::to_string(out.orientations) + " of 3 axes; clamp the trunk on a side and face down");
+  const auto has = [&](const auto& is) { return std::ranges::any_of(out.logs, is); };
+  if (!has([](const BodyLogCheck& log) { return !log.limp.empty(); }))
+    out.cannot_show.emplace_back("friction apart from the motor: record a joint that falls limp");
+  if (std::ranges::none_of(given.logs, [](const BodyLog& log) { return log.repeat_of.has_value(); }))
+    out.cannot_show.emplace_back("the noise between runs: record a log twice");
+  if (std::ranges::none_of(given.logs, &BodyLog::held_out))
+    out.cannot_show.emplace_back("whether a found effect predicts: keep a recording with \"role\": \"held_out\"");
+  return out;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,112 @@
+// The rows of one recording of a whole robot. A row's goals act from its read on, as GoalOrder::kAfterRead: see
+// gap/case/recording.cpp.
+#include <algorithm>
+#include <cmath>
+
+#include "core/registers.hpp"
+#include "core/units.hpp"
+#include "gap/case/bad_rows.hpp"
+#include "gap/case/body/parse_body_case.hpp"
+#include "gap/case/servo_columns.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr std::size_t kFewestRows = 20;        // 0.3 s at 16 ms
+constexpr double kTurns = 2 * 2 * kPi;         // rad
+constexpr double kFastest = 2 * 34.907;        // rad/s, twice the range of the gyroscope
+constexpr double kHardest = 2 * 4 * kGravity;  // m/s2, twice that of the accelerometer
+
+constexpr double kMostCycles = 1e9;  // half a year: beyond, `cycle` is not a counter
+
+/// Throws BadInput for the first value outside of the range that its unit has in a robot.
+void checkRange(const logs::Log& log, const logs::Column& column, double low, double high, const char* advice) {
+  for (std::size_t row = 0; row < log.rows(); ++row)
+    if (const double value = column.values[row]; value < low || value > high)
+      throw BadInput(log.file + ", line " + std::to_string(log.lines[row]) + ": column " + column.name + " has " +
+                     std::to_string(value) + ", outside of " + std::to_string(low) + " to " + std::to_string(high) +
+                     "; " + advice);
+}
+
+const logs::Column& sensorColumn(const logs::Log& log, const std::string& name, const char* unit) {
+  try {
+    const logs::Column& column = log.column(name);
+    if (column.unit == unit) return column;
+    throw BadInput(log.file + ": column " + name + " is in " + (column.unit.empty() ? "no unit" : column.unit) +
+                   ", expected " + unit + "; convert it");
+  } catch (const BadInput&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
+  }
+}
+
+AxesColumns axesOf(const logs::Log& log, const std::string& sensor, const char* unit, double greatest) {
+  AxesColumns out;
+  constexpr std::array kNames{"x", "y", "z"};
+  for (std::size_t axis = 0; axis < out.size(); ++axis) {
+    const logs::Column& column = sensorColumn(log, sensor + "." + kNames[axis], unit);
+    checkRange(log, column, -greatest, greatest, "is the unit right?");
+    out[axis] = column.values;
+  }
+  return out;
+}
+
+std::size_t lostRows(const logs::Log& log) {
+  const logs::Column* const cycle = log.find("cycle");
+  if (cycle == nullptr || log.rows() == 0) return static_cast<std::size_t>(log.lost_rows);
+  const double span = cycle->values.back() - cycle->values.front() + 1;
+  const auto rows = static_cast<double>(log.rows());
+  return span > rows && span < kMostCycles ? static_cast<std::size_t>(span - rows) : 0;
+}
+
+/// A servo that is silent for long has another fault than a model can have.
+void checkAnswers(const logs::Log& log, const logs::Column& position) {
+  const auto silent = std::ranges::count_if(position.values, [](double value) { return std::isnan(value); });
+  if (static_cast<double>(silent) > kMostMasked * static_cast<double>(log.rows()))
+    throw BadInput(log.file + ": column " + position.name + " is empty in " + std::to_string(silent) + " of " +
+                   std::to_string(log.rows()) + " rows; check the cable of that servo and measure again");
+}
+
+Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
+  constexpr const Register& gain = find(kMx28, "p_gain");
+  const ServoColumns columns = servoColumns(log, joint, NeededColumns::kLaw);
+  checkAnswers(log, *columns.position);
+  checkRange(log, *columns.goal, -kTurns, kTurns, "is it in degrees?");
+  checkRange(log, *columns.position, -kTurns, kTurns, "is it in degrees?");
+  checkRange(log, *columns.load, -1.01, 1.01, "a load is a fraction of the greatest duty");
+  checkRange(log, *columns.p_gain, 0, gain.high * gain.scale, "the gain is the servo's register / 8");
+  Trajectory out;
+  out.file = head.file;
+  out.kind = name(head.setup);
+  out.held_out = head.held_out;
+  out.joint = joint;
+  out.supply_v = head.battery_v;
+  out.session_start_s = head.session_start_s;
+  out.time_s = head.time_s;
+  double goal = std::isnan(columns.goal->values[0]) ? columns.position->values[0] : columns.goal->values[0];
+  for (std::size_t row = 0; row < log.rows(); ++row) {
+    if (!std::isnan(columns.goal->values[row])) goal = columns.goal->values[row];
+    appendRow(log, columns, row, goal, out);
+    out.p_register_of_row.push_back(columns.p_gain->values[row] / gain.scale);
+  }
+  return out;
+}
+
+}  // namespace
+
+void fillBodyLog(const logs::Log& recording, BodyLog& log, std::vector<Trajectory>& joints) {
+  if (recording.rows() < kFewestRows)
+    throw BadInput(recording.file + ": " + std::to_string(recording.rows()) + " rows, and a log needs at least " +
+                   std::to_string(kFewestRows) + "; record for longer");
+  for (std::size_t row = 0; row < recording.rows(); ++row)
+    log.time_s.push_back(recording.seconds(row) - recording.seconds(0));
+  log.gyro_rad_s = axesOf(recording, "gyro", "rad/s", kFastest);
+  log.accel_m_s2 = axesOf(recording, "accelerometer", "m/s2", kHardest);
+  log.board_v = sensorColumn(recording, "board.voltage", "V").values;
+  log.lost_rows = lostRows(recording);
+  for (std::size_t joint = 0; joint < kJoints; ++joint)
+    joints.push_back(jointOf(recording, log, static_cast<Joint>(joint)));
+}
+
+}  // namespace darwinop::gap

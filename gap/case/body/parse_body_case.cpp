@@ -1,0 +1,148 @@
+// A case.json of the whole robot from top to bottom.
+#include "gap/case/body/parse_body_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "gap/case/fields.hpp"
+#include "gap/case/messages.hpp"
+#include "gap/case/parts.hpp"
+#include "twin/model/keys.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr twin::NumberRule kSession{"s", 0, 1e7};
+constexpr twin::NumberRule kDirection{"", -1, 1};
+constexpr double kUnitLength = 0.01;  // by which `up` may differ from 1: it is written with four decimals
+
+const std::vector<std::string_view> kSetups{"stand_clamped", "floor", "lying"};
+
+/// Keys of `trust`, and the priors of a servo on its own that they stand for.
+struct TrustKey {
+  std::string_view key;
+  std::vector<std::string_view> priors;
+};
+const std::vector<TrustKey>& trustKeys() {
+  static const std::vector<TrustKey> kKeys{{"body.mass", {}},
+                                           {"body.com_m", {}},
+                                           {"servo", {"kt", "resistance"}},
+                                           {"servo.duty_per_kp", {"duty_per_kp"}},
+                                           {"servo.armature", {"armature"}},
+                                           {"friction", {"coulomb.friction", "viscous.damping"}},
+                                           {"floor_friction", {}},
+                                           {"contact_time", {}},
+                                           {"imu.gyro_bias_rad_s", {}},
+                                           {"imu.accel_bias_m_s2", {}}};
+  return kKeys;
+}
+
+void readTrust(Fields trust, BodyCase& into) {
+  if (trust.flag("exact", false)) return trust.finish();
+  for (const TrustKey& key : trustKeys()) {
+    if (!trust.has(key.key)) continue;
+    const double sigma = trust.number(key.key, kRelativeSigma);
+    into.trust.emplace(key.key, sigma);
+    for (const std::string_view prior : key.priors) into.joints.priors.push_back({std::string{prior}, sigma});
+  }
+  trust.finish();
+}
+
+void readUp(Fields& entry, BodyLog& into) {
+  if (into.setup == BodySetup::kLying) {
+    const std::vector<std::string_view> sides{"back", "front", "side"};
+    into.lies_on = sides[entry.word("up", sides, sides.size())];
+  }
+  if (into.setup != BodySetup::kClamped) return entry.leave("up");
+  const std::vector<double> up = entry.numbers("up", kDirection, 3);
+  const double length = std::hypot(up[0], up[1], up[2]);
+  if (std::abs(length - 1) > kUnitLength)
+    entry.fail("up", "has the length " + std::to_string(length) +
+                         "; it has to be a unit vector, in the trunk's frame: left, up, forward");
+  into.up = Axes{up[0] / length, up[1] / length, up[2] / length};
+}
+
+/// A log, and the name of the one that it repeats.
+std::pair<BodyLog, std::string> readBodyEntry(Fields& entry, std::vector<std::string>& warnings) {
+  BodyLog out;
+  out.file = logFileIn(entry);
+  out.held_out = heldOutIn(entry);
+  out.setup = static_cast<BodySetup>(entry.word("setup", kSetups, kSetups.size()));
+  readUp(entry, out);
+  out.session_start_s = entry.number("session_s", kSession, 0);
+  out.battery_v = entry.number("battery_V", twin::findKey("servo", "supply")->number);
+  std::string repeats = entry.text("repeat_of", "");
+  entry.finish(warnings);
+  return {std::move(out), std::move(repeats)};
+}
+
+std::size_t logCalled(Fields& top, const BodyCase& of, std::size_t i, const std::string& file) {
+  const std::string key = "logs[" + std::to_string(i) + "].repeat_of";
+  const auto found = std::ranges::find(of.logs, file, &BodyLog::file);
+  if (found == of.logs.end()) top.fail(key, std::string{messages::kRepeatOfNothing} + "; it has to be the file of one");
+  const auto index = static_cast<std::size_t>(found - of.logs.begin());
+  if (index == i) top.fail(key, std::string{messages::kRepeatOfItself} + "; name the one before");
+  return index;
+}
+
+void readLogs(Fields& top, BodyCase& into) {
+  std::vector<std::string> repeats;
+  for (Fields& entry : top.list("logs")) {
+    auto [log, repeated] = readBodyEntry(entry, into.warnings);
+    if (std::ranges::find(into.logs, log.file, &BodyLog::file) != into.logs.end())
+      entry.fail("file", std::string{messages::kGivenTwice} + "; keep one of the two");
+    into.logs.push_back(std::move(log));
+    repeats.push_back(std::move(repeated));
+  }
+  if (std::ranges::all_of(into.logs, &BodyLog::held_out))
+    top.fail("logs", std::string{messages::kNoFitLog} + "; there is nothing to learn from");
+  for (std::size_t i = 0; i < repeats.size(); ++i)
+    if (!repeats[i].empty()) into.logs[i].repeat_of = logCalled(top, into, i, repeats[i]);
+}
+
+}  // namespace
+
+std::string_view name(BodySetup setup) {
+  return kSetups[static_cast<std::size_t>(setup)];
+}
+
+BodyCase parseBodyCase(std::string_view json, const std::string& file, const CaseFiles& files) {
+  const Json parsed = parseJson(json, file);
+  Fields top{parsed, file, ""};
+  BodyCase out;
+  const fs::path path{file};
+  out.folder = path.parent_path().empty() ? "." : path.parent_path().string();
+  out.name = top.text("case", path.parent_path().filename().string());
+  (void)top.word("family", {"body"}, 1);
+  try {
+    out.joints.model = files.model(top.text("model"));
+  } catch (const BadInput&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
+  }
+  readTrust(top.object("trust"), out);
+  readLogs(top, out);
+  top.finish(out.warnings);
+  for (BodyLog& log : out.logs) {
+    const logs::Log recording = loadLog(files, log.file);
+    out.warnings.insert(out.warnings.end(), recording.warnings.begin(), recording.warnings.end());
+    fillBodyLog(recording, log, out.joints.logs);
+  }
+  out.joints.name = out.name;
+  out.joints.folder = out.folder;
+  return out;
+}
+
+BodyCase readBodyCase(const std::string& folder) {
+  return parseBodyCase(caseTextIn(folder), (fs::path{folder} / "case.json").string(), filesIn(folder));
+}
+
+bool isBodyCase(const std::string& folder) {
+  return isWholeRobot(parseJson(caseTextIn(folder), (fs::path{folder} / "case.json").string()));
+}
+
+}  // namespace darwinop::gap
