@@ -302,6 +302,15 @@ inline constexpr double kLiftedBin = 1.5;
 /// s by which rows of two repeated logs may differ.
 inline constexpr double kSameRowTime = 2e-3;
 
+// ---- Whole robot (gap/localize/body, gap/identify/body) ----
+
+/// s. Length of the stretch that a row of the table names. No verdict depends on it.
+inline constexpr double kWorstStretch = 0.5;
+/// Prior standard deviations of the deviations of an inertial sensor: rad/s, m/s2, share, rad. What data sheets allow
+/// for bias and scale, and an assembly for the mounting; half or twice of it moves twice the log evidence by at
+/// most 1.4 for each number.
+inline constexpr double kGyroBias = 0.2, kAccelBias = 0.5, kAccelScale = 0.1, kImuRotation = 0.1;
+
 // ---- Simulation and block residuals (gap/plant) ----
 
 /// s. Rows on either side from which a speed is computed: a parabola through five rows of 16 ms. No evidence yet.

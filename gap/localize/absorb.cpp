@@ -26,9 +26,15 @@ Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& jacobian) {
 }
 
 double significanceOf(const Eigen::VectorXd& moves) {
-  if (moves.size() == 0) return 0;
-  const boost::math::chi_squared expected{static_cast<double>(moves.size())};
-  const double chance = boost::math::cdf(boost::math::complement(expected, moves.squaredNorm()));
+  return moves.size() == 0 ? 0 : sigmasOfChiSquared(moves.squaredNorm(), static_cast<double>(moves.size()));
+}
+
+double sigmasOfChiSquared(double sum, double count) {
+  const double chance = boost::math::cdf(boost::math::complement(boost::math::chi_squared{count}, sum));
+  return sigmasOfChance(chance);
+}
+
+double sigmasOfChance(double chance) {
   return boost::math::quantile(boost::math::complement(boost::math::normal{}, std::clamp(chance, 1e-300, 0.5)));
 }
 

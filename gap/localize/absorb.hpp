@@ -16,5 +16,9 @@ Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& jacobian);
 
 /// Significance of the moves together, in standard deviations of a normal distribution.
 double significanceOf(const Eigen::VectorXd& moves);
+/// The same of a sum of `count` independent squares, and of a chance; at most 37, and 0 for what is more likely than
+/// not.
+double sigmasOfChiSquared(double sum, double count);
+double sigmasOfChance(double chance);
 
 }  // namespace darwinop::gap

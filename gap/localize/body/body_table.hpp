@@ -1,0 +1,53 @@
+// Where recordings of a robot and its model diverge, before any fit: a table of signal, place and block. Each block
+// gets its measured input, and its output is compared with the measured one; no closed loop is simulated.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gap/case/body/body_case.hpp"
+#include "gap/plant/block.hpp"
+#include "gap/plant/body/resting_imu.hpp"
+#include "gap/plant/place.hpp"
+
+namespace darwinop::gap {
+
+struct BodyRow {
+  std::string signal;  // "AnkleR.load", "gyro.x"
+  Place place;         // what is tested
+  Block block = Block::kController;
+  std::string unit;
+  double size = 0;          // rms of measured - expected
+  double floors = 0;        // that, over the noise of one reading
+  double significance = 0;  // standard deviations of a normal distribution, after what the priors explain
+  bool open = false;        // beyond BodyTable::open_from
+
+  // Where it is largest: half a second of a log.
+  std::string file = {};
+  double t0_s = 0, t1_s = 0;
+};
+
+struct BodyTable {
+  std::vector<BodyRow> rows;  // most significant first
+  // Significance from which a row is open: of all rows of a right model, the greatest is beyond it in 1 % of cases
+  // (Bonferroni), however many rows there are.
+  double open_from = 0;
+  std::vector<std::string> not_tested;  // sentences
+
+  [[nodiscard]] std::size_t open() const;
+};
+
+/// Deterministic; under a second for ten logs. Only logs that are not held out.
+BodyTable localize(const BodyCase& given, const RestingImu& imu);
+
+/// For a terminal of 100 columns.
+std::string asText(const BodyTable& table);
+nlohmann::ordered_json asJson(const BodyTable& table);
+
+// Parts of localize().
+std::vector<BodyRow> jointRows(const BodyCase& given);
+std::vector<BodyRow> imuRows(const BodyCase& given, const RestingImu& imu);
+
+}  // namespace darwinop::gap

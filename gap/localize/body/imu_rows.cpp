@@ -1,0 +1,47 @@
+// Gyroscope against 0 and accelerometer against gravity, while the trunk is clamped.
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "gap/localize/absorb.hpp"
+#include "gap/localize/body/body_table.hpp"
+
+namespace darwinop::gap {
+
+std::vector<BodyRow> imuRows(const BodyCase& given, const RestingImu& imu) {
+  constexpr std::array kAxes{"x", "y", "z"};
+  std::vector<BodyRow> rows;
+  for (const ImuSensor sensor : kImuSensors) {
+    const std::vector<RestingReading> readings = restingReadings(given, sensor, false);
+    if (readings.empty()) continue;
+    const double bias_sigma = given.sigmaOf(biasKeyOf(sensor));
+    const auto n = static_cast<Eigen::Index>(readings.size());
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      BodyRow row{.signal = std::string{name(sensor)} + "." + kAxes[static_cast<std::size_t>(axis)],
+                  .place = {.kind = Place::Kind::kSensor, .name = std::string{name(sensor)}},
+                  .block = Block::kSensor,
+                  .unit = std::string{unitOf(sensor)}};
+      Eigen::VectorXd residual(n);
+      // One bias for all logs, within its prior.
+      Eigen::MatrixXd covariance = Eigen::MatrixXd::Constant(n, n, bias_sigma * bias_sigma);
+      double square = 0, scatter = 0, greatest = 0;
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const RestingReading& reading = readings[static_cast<std::size_t>(i)];
+        residual[i] = reading.mean[axis] - imu.reading(sensor, reading.up)[axis];
+        covariance(i, i) += reading.sigma[axis] * reading.sigma[axis];
+        square += residual[i] * residual[i];
+        scatter += reading.scatter[axis] * reading.scatter[axis];
+        if (i > 0 && std::abs(residual[i]) <= greatest) continue;
+        greatest = std::abs(residual[i]);
+        const BodyLog& log = given.logs[reading.log];
+        row.file = log.file, row.t0_s = 0, row.t1_s = log.time_s.back();
+      }
+      row.size = std::sqrt(square / static_cast<double>(n));
+      row.floors = std::sqrt(square / scatter);
+      row.significance = sigmasOfChiSquared(residual.dot(covariance.ldlt().solve(residual)), static_cast<double>(n));
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+}  // namespace darwinop::gap

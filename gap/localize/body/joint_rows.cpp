@@ -1,0 +1,104 @@
+// Controller and supply of each joint, from its own signals.
+#include <algorithm>
+#include <cmath>
+
+#include "gap/localize/absorb.hpp"
+#include "gap/localize/body/body_table.hpp"
+#include "gap/localize/fit_nuisances.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/plant/body/joint_alone.hpp"
+#include "gap/thresholds.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+/// Joint logs of all recordings that are not held out: indices in BodyCase::joints.
+std::vector<std::size_t> fittedJointLogs(const BodyCase& given) {
+  std::vector<std::size_t> logs;
+  for (std::size_t i = 0; i < given.joints.logs.size(); ++i)
+    if (!given.joints.logs[i].held_out) logs.push_back(i);
+  return logs;
+}
+
+/// Residuals of one block in each of `logs`; z after what numbers inside their priors explain, the same for all servos.
+std::vector<BlockResiduals> samplesOf(Block block, const BodyCase& given, const std::vector<std::size_t>& logs) {
+  const Hypothesis robot = bodyBaselineOf(given);
+  const BlockResidualFunction cut = [&](const Trajectory& log, const Hypothesis& hypothesis) {
+    return jointResiduals(block, given, log, hypothesis);
+  };
+  std::vector<BlockResiduals> samples(logs.size());
+  forEach(logs.size(), [&](std::size_t i) {
+    samples[i] = cut(given.joints.logs[logs[i]], robot);
+    for (Eigen::Index k = 0; k < samples[i].z.size(); ++k) {
+      const double residual = samples[i].residual[k];
+      samples[i].z[k] = std::isnan(residual) ? 0 : residual / samples[i].sigma[k];
+    }
+  });
+  // Of the numbers with a prior, only this one is in a block: motor and load are in the plant.
+  std::vector<Unknown> numbers = nuisancesOf(given.joints, robot);
+  std::erase_if(numbers,
+                [&](const Unknown& number) { return block != Block::kController || number.name != "duty_per_kp"; });
+  if (!numbers.empty()) (void)fitNuisances(cut, given.joints, logs, robot, numbers, samples);
+  return samples;
+}
+
+/// The stretch of half a second with the greatest sum of squares.
+void locate(const BlockResiduals& samples, const Trajectory& log, double& greatest, BodyRow& into) {
+  std::size_t from = 0;
+  double sum = 0;
+  for (std::size_t to = 0; to < samples.row.size(); ++to) {
+    const auto square = [&](std::size_t k) { return std::pow(samples.z[static_cast<Eigen::Index>(k)], 2); };
+    const auto time = [&](std::size_t k) { return log.time_s[samples.row[k]]; };
+    sum += square(to);
+    for (; time(to) - time(from) > thresholds::kWorstStretch; ++from) sum -= square(from);
+    if (!(sum > greatest)) continue;
+    greatest = sum;
+    into.file = log.file, into.t0_s = time(from), into.t1_s = time(to);
+  }
+}
+
+struct Squares {
+  double residual = 0, sigma = 0, z = 0, count = 0, worst = 0;
+};
+
+void add(const BlockResiduals& samples, Squares& to) {
+  for (Eigen::Index k = 0; k < samples.z.size(); ++k) {
+    if (std::isnan(samples.residual[k])) continue;
+    to.residual += samples.residual[k] * samples.residual[k];
+    to.sigma += samples.sigma[k] * samples.sigma[k];
+    to.z += samples.z[k] * samples.z[k];
+    to.count += 1;
+  }
+}
+
+}  // namespace
+
+std::vector<BodyRow> jointRows(const BodyCase& given) {
+  const std::vector<std::size_t> logs = fittedJointLogs(given);
+  std::vector<BodyRow> rows;
+  for (const Block block : kBlocksOfJointAlone) {
+    const std::vector<BlockResiduals> samples = samplesOf(block, given, logs);
+    for (std::size_t joint = 0; joint < kJoints; ++joint) {
+      const std::string name{kJointTable[joint].name};
+      BodyRow row{.signal = name + (block == Block::kSupply ? ".voltage" : ".load"),
+                  .place = {.kind = Place::Kind::kJoint, .name = name},
+                  .block = block,
+                  .unit = block == Block::kSupply ? "V" : ""};
+      Squares all;
+      for (std::size_t i = joint; i < logs.size(); i += kJoints) {
+        add(samples[i], all);
+        locate(samples[i], given.joints.logs[logs[i]], all.worst, row);
+      }
+      if (!(all.count > thresholds::kCorrelatedSamples)) continue;
+      row.size = std::sqrt(all.residual / all.count);
+      row.floors = std::sqrt(all.residual / all.sigma);
+      // What one row has of an effect, its neighbours have as well.
+      row.significance =
+          sigmasOfChiSquared(all.z / thresholds::kCorrelatedSamples, all.count / thresholds::kCorrelatedSamples);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+}  // namespace darwinop::gap
