@@ -1,0 +1,156 @@
+// The answer for a terminal and for programs.
+#include <cmath>
+
+#include "core/text/formatted.hpp"
+#include "gap/identify/body/body_identification.hpp"
+#include "gap/thresholds.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using Object = nlohmann::ordered_json;
+
+Object known(double value) {
+  return std::isfinite(value) ? Object(value) : Object(nullptr);
+}
+
+/// Values of one effect, and the half widths of their 90 % intervals; of a map without.
+struct Values {
+  std::vector<double> values, half_widths;
+};
+
+Values valuesOf(const SensorFit& fit, const SensorEffect& effect) {
+  Values out;
+  if (effect.number == SensorEffect::Number::kMap) {
+    out.values.assign(fit.map.begin(), fit.map.end());
+    return out;
+  }
+  Eigen::Index at = 0;
+  for (const SensorEffect* const other : fit.effects) {
+    if (other == &effect) break;
+    if (other->number != SensorEffect::Number::kMap) at += 3;
+  }
+  for (Eigen::Index k = at; k < at + 3; ++k) {
+    out.values.push_back(fit.values[k]);
+    out.half_widths.push_back(thresholds::kInterval90 * fit.sigmas[k]);
+  }
+  return out;
+}
+
+std::string effectText(const SensorFit& fit, const SensorEffect& effect) {
+  const Values of = valuesOf(fit, effect);
+  std::string text = text::formatted("  %s at %s, %s", std::string{effect.id}.c_str(), std::string{effect.at}.c_str(),
+                                     std::string{effect.parameter}.c_str());
+  for (std::size_t k = 0; k < of.values.size(); ++k)
+    text += of.half_widths.empty() ? text::formatted(" %.0f", of.values[k])
+                                   : text::formatted(" %.4f +-%.4f", of.values[k], of.half_widths[k]);
+  if (!effect.unit.empty()) text += " " + std::string{effect.unit};
+  if (fit.maps_alike > 1)
+    text += text::formatted("; %zu maps fit alike, clamp the trunk in other orientations", fit.maps_alike);
+  return text + "\n";
+}
+
+std::string idsOf(const SensorFit& fit) {
+  std::string ids;
+  for (const SensorEffect* const effect : fit.effects) ids += (ids.empty() ? "" : " and ") + std::string{effect->id};
+  return ids.empty() ? "no effect" : ids;
+}
+
+Object namesOf(const SensorFit& fit) {
+  Object names = Object::array();
+  for (const SensorEffect* const effect : fit.effects) names.push_back({{"id", effect->id}, {"at", effect->at}});
+  return names;
+}
+
+Object effectJson(const SensorFit& fit, const SensorEffect& effect) {
+  const Values of = valuesOf(fit, effect);
+  Object interval = Object::array();
+  for (std::size_t k = 0; k < of.half_widths.size(); ++k)
+    interval.push_back({of.values[k] - of.half_widths[k], of.values[k] + of.half_widths[k]});
+  return {{"id", effect.id},
+          {"at", effect.at},
+          {"params", {{effect.parameter, of.values}}},
+          {"interval_90", {{effect.parameter, interval}}}};
+}
+
+/// Rows of the table that no named effect explains.
+std::vector<const BodyRow*> unexplained(const BodyIdentification& found) {
+  std::vector<const BodyRow*> rows;
+  for (const BodyRow& row : found.table.rows) {
+    if (!row.open) continue;
+    bool is_explained = false;
+    for (const SensorSelection& one : found.sensors)
+      if (row.place.name == name(one.sensor)) is_explained = !one.found.effects.empty() && !one.remains;
+    if (!is_explained) rows.push_back(&row);
+  }
+  return rows;
+}
+
+std::string verdictText(const BodyIdentification& found) {
+  switch (found.verdict) {
+    case Verdict::kNamed:
+      return "Named:\n";
+    case Verdict::kAmbiguous:
+      return "Ambiguous: these logs do not separate\n";
+    case Verdict::kUnknown:
+      return "Unknown: signals diverge, and no effect of an inertial sensor explains them\n";
+    default:
+      return "Cannot tell: what was tested agrees with the model, and not everything is tested\n";
+  }
+}
+
+}  // namespace
+
+std::string asText(const BodyIdentification& found) {
+  std::string text = asText(found.table) + "\n" + verdictText(found);
+  for (const SensorSelection& one : found.sensors) {
+    for (const SensorEffect* const effect : one.found.effects) text += effectText(one.found, *effect);
+    for (const SensorFit& rival : one.rivals)
+      text += "  or " + idsOf(rival) +
+              text::formatted(", behind by 1 to %.3g in odds\n", std::exp((one.found.evidence - rival.evidence) / 2));
+    if (!one.found.effects.empty() && !std::isnan(one.held_out_before))
+      text += text::formatted("  held-out logs: %s %.3f -> %.3f %s, noise of a reading %.3f\n",
+                              std::string{name(one.sensor)}.c_str(), one.held_out_before, one.held_out_after,
+                              std::string{unitOf(one.sensor)}.c_str(), one.held_out_floor);
+  }
+  for (const BodyRow* const row : unexplained(found))
+    text += "  not explained: " + row->signal + ", " + std::string{name(row->block)} + "\n";
+  return text;
+}
+
+nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& found) {
+  Object effects = Object::array(), ambiguity = Object::array(), where = Object::array();
+  Object before{{"joints_mrad", nullptr}}, after = before, floor = before;
+  for (const SensorSelection& one : found.sensors) {
+    for (const SensorEffect* const effect : one.found.effects) effects.push_back(effectJson(one.found, *effect));
+    if (!one.rivals.empty()) ambiguity.push_back(namesOf(one.found));
+    for (const SensorFit& rival : one.rivals) ambiguity.push_back(namesOf(rival));
+    const char* const key = one.sensor == ImuSensor::kGyro ? "gyro_rad_s" : "accel_m_s2";
+    before[key] = known(one.held_out_before);
+    after[key] = known(one.held_out_after);
+    floor[key] = known(one.held_out_floor);
+  }
+  for (const BodyRow& row : found.table.rows)
+    if (row.open)
+      where.push_back(
+          {{"signal", row.signal}, {"file", row.file}, {"t0", row.t0_s}, {"t1", row.t1_s}, {"block", name(row.block)}});
+  Object remainder = nullptr;
+  if (found.verdict == Verdict::kNamed || found.verdict == Verdict::kAmbiguous) {
+    Object signals = Object::array();
+    for (const BodyRow* const row : unexplained(found)) signals.push_back(row->signal);
+    if (!signals.empty()) remainder = {{"signals", signals}};
+  }
+  return {{"case", given.name},
+          {"verdict", nameOf(found.verdict)},
+          {"effects", effects},
+          {"ambiguity", ambiguity},
+          {"where", where},
+          {"remainder", remainder},
+          {"gap_score_before", before},
+          {"gap_score_after", after},
+          {"floor", floor},
+          {"not_tested", found.table.not_tested},
+          {"runtime_s", found.runtime_s}};
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,77 @@
+// Selection of effects of each inertial sensor: every set of one or two, by its evidence.
+#include <algorithm>
+#include <cmath>
+
+#include "gap/identify/body/body_identification.hpp"
+#include "gap/localize/absorb.hpp"
+#include "gap/thresholds.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+/// None, one or two effects. A map and a rotation together are a rotation that the priors exclude.
+std::vector<std::vector<const SensorEffect*>> setsOf(ImuSensor sensor) {
+  std::vector<const SensorEffect*> single;
+  for (const SensorEffect& effect : sensorEffects())
+    if (effect.sensor == sensor) single.push_back(&effect);
+  std::vector<std::vector<const SensorEffect*>> sets{{}};
+  const auto turns = [](const SensorEffect* effect) {
+    return effect->number == SensorEffect::Number::kMap || effect->number == SensorEffect::Number::kRotation;
+  };
+  for (std::size_t i = 0; i < single.size(); ++i) {
+    sets.push_back({single[i]});
+    for (std::size_t j = i + 1; j < single.size(); ++j)
+      if (!turns(single[i]) || !turns(single[j])) sets.push_back({single[i], single[j]});
+  }
+  return sets;
+}
+
+bool isClose(const SensorFit& rival, const SensorFit& best) {
+  const bool is_larger = rival.effects.size() > best.effects.size();
+  return best.evidence - rival.evidence < (is_larger ? thresholds::kLargerRivalEvidence : thresholds::kRivalEvidence);
+}
+
+/// `fits`: best first. An effect more has to earn its place: the smallest set that the data do not exclude.
+std::size_t selected(const std::vector<SensorFit>& fits) {
+  std::size_t found = 0;
+  for (std::size_t i = 1; i < fits.size(); ++i)
+    if (isClose(fits[i], fits.front()) && fits[found].extends(fits[i])) found = i;
+  return found;
+}
+
+void verify(const BodyCase& given, const RestingImu& imu, SensorSelection& of) {
+  double before = 0, after = 0, floor = 0, count = 0;
+  for (const RestingReading& reading : restingReadings(given, of.sensor, true)) {
+    before += (reading.mean - imu.reading(of.sensor, reading.up)).squaredNorm();
+    after += (reading.mean - imu.reading(of.sensor, reading.up, of.found.deviation)).squaredNorm();
+    floor += reading.scatter.squaredNorm();
+    count += 3;
+  }
+  of.held_out_before = std::sqrt(before / count);
+  of.held_out_after = std::sqrt(after / count);
+  of.held_out_floor = std::sqrt(floor / count);
+}
+
+}  // namespace
+
+std::vector<SensorSelection> identifySensors(const BodyCase& given, const RestingImu& imu, const BodyTable& table) {
+  std::vector<SensorSelection> out;
+  for (const ImuSensor sensor : kImuSensors) {
+    const RestingProblem problem{given, imu, sensor};
+    if (problem.readings() == 0) continue;
+    std::vector<SensorFit> fits;
+    for (auto& set : setsOf(sensor)) fits.push_back(problem.fit(std::move(set)));
+    std::ranges::stable_sort(fits, std::greater{}, &SensorFit::evidence);
+    const std::size_t found = selected(fits);
+    SensorSelection one{.sensor = sensor, .found = fits[found], .rivals = {}};
+    for (std::size_t i = 0; i < fits.size(); ++i)
+      if (i != found && isClose(fits[i], fits[found]) && !fits[i].extends(fits[found])) one.rivals.push_back(fits[i]);
+    const auto count = static_cast<double>(problem.readings());
+    one.remains = sigmasOfChiSquared(one.found.chi2, count) > table.open_from;
+    verify(given, imu, one);
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+}  // namespace darwinop::gap

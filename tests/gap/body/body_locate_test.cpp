@@ -1,0 +1,114 @@
+// Table of signal, place and block, from recordings that the test writes.
+#include <gmock/gmock.h>
+
+#include "gap/body/synthetic_robot.hpp"
+#include "gap/localize/body/body_table.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+BodyTable tableOf(const SyntheticRobot& robot) {
+  const BodyCase c = BodyTexts{robot}.read();
+  return localize(c, RestingImu{c.joints.model});
+}
+
+std::vector<std::string> openSignals(const BodyTable& table) {
+  std::vector<std::string> open;
+  for (const BodyRow& row : table.rows)
+    if (row.open) open.push_back(row.signal);
+  return open;
+}
+
+const BodyRow& rowOf(const BodyTable& table, const std::string& signal) {
+  return *std::ranges::find(table.rows, signal, &BodyRow::signal);
+}
+
+TEST(BodyLocate, ARobotLikeItsModelHasNothingOpen) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SyntheticRobot robot;
+    robot.seed = seed;
+    robot.limp_joint = index(Joint::kNeck);
+    robot.p_gain_late = 1;
+    const BodyTable table = tableOf(robot);
+    EXPECT_THAT(openSignals(table), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(table.rows.size(), 2 * kJoints + 6);
+  }
+}
+
+TEST(BodyLocate, ALimitedDutyOpensTheControllerOfItsJointAlone) {
+  SyntheticRobot robot;
+  robot.duty = [](std::size_t joint, double duty) {
+    return joint == index(Joint::kLegUpperL) ? std::clamp(duty, -0.1, 0.1) : duty;
+  };
+  const BodyTable table = tableOf(robot);
+  EXPECT_THAT(openSignals(table), ElementsAre("LegUpperL.load"));
+  const BodyRow& row = table.rows.front();
+  EXPECT_EQ(row.block, Block::kController);
+  EXPECT_EQ(row.place.name, "LegUpperL");
+  EXPECT_GT(row.floors, 3);
+  EXPECT_LE(row.t1_s - row.t0_s, 0.51);
+}
+
+TEST(BodyLocate, ASmallGainErrorInAllJointsOpensAllUnlessThePriorAllowsIt) {
+  SyntheticRobot robot;
+  robot.duty = [](std::size_t, double duty) { return 1.1 * duty; };
+  EXPECT_EQ(tableOf(robot).open(), kJoints);
+  robot.trust = R"({"servo.duty_per_kp": 0.08})";
+  EXPECT_EQ(tableOf(robot).open(), 0u);
+}
+
+TEST(BodyLocate, APriorOfAllServosHidesNoJoint) {
+  SyntheticRobot robot;
+  robot.trust = R"({"servo.duty_per_kp": 0.05})";
+  robot.duty = [](std::size_t joint, double duty) { return joint == index(Joint::kHead) ? 0.6 * duty : duty; };
+  EXPECT_THAT(openSignals(tableOf(robot)), ElementsAre("Head.load"));
+}
+
+TEST(BodyLocate, ASupplyThatSagsAtOneServoOpensItsSupply) {
+  SyntheticRobot robot;
+  robot.servo_sag_v = 0.3;
+  const BodyTable table = tableOf(robot);
+  EXPECT_THAT(openSignals(table), ElementsAre(std::string{kJointTable[3].name} + ".voltage"));
+  EXPECT_EQ(table.rows.front().block, Block::kSupply);
+}
+
+TEST(BodyLocate, ABiasOpensItsAxisUnlessThePriorAllowsIt) {
+  SyntheticRobot robot;
+  robot.gyro_bias = {0, 0.06, 0};
+  const BodyTable table = tableOf(robot);
+  EXPECT_THAT(openSignals(table), ElementsAre("gyro.y"));
+  EXPECT_NEAR(rowOf(table, "gyro.y").size, 0.06, 0.005);
+  EXPECT_EQ(rowOf(table, "gyro.y").block, Block::kSensor);
+  robot.trust = R"({"imu.gyro_bias_rad_s": 0.03})";
+  EXPECT_THAT(openSignals(tableOf(robot)), IsEmpty());
+}
+
+TEST(BodyLocate, AnAccelerometerTurnedInTheTrunkOpensTheTwoAxesThatTurn) {
+  SyntheticRobot robot;
+  robot.yaw_rad = 0.05;
+  EXPECT_THAT(openSignals(tableOf(robot)), UnorderedElementsAre("accelerometer.x", "accelerometer.z"));
+}
+
+TEST(BodyLocate, WithoutAClampedLogTheSensorIsNotTested) {
+  SyntheticRobot robot;
+  robot.gyro_bias = {0, 1, 0};
+  BodyCase c = BodyTexts{robot}.read();
+  for (BodyLog& log : c.logs) log.setup = BodySetup::kFloor, log.up.reset();
+  const BodyTable table = localize(c, RestingImu{c.joints.model});
+  EXPECT_EQ(table.rows.size(), 2 * kJoints);
+  EXPECT_EQ(table.open(), 0u);
+}
+
+TEST(BodyLocate, AHeldOutLogIsNotLookedAt) {
+  BodyCase c = BodyTexts{}.read();
+  for (std::vector<double>& axis : c.logs[5].gyro_rad_s) axis.assign(axis.size(), 3.0);
+  for (double& load : c.joints.logs[5 * kJoints].load) load = 0.9;
+  EXPECT_EQ(localize(c, RestingImu{c.joints.model}).open(), 0u);
+}
+
+}  // namespace
+}  // namespace darwinop::gap
