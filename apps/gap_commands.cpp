@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gap/benchmark/make/make_case.hpp"
+#include "gap/case/body/body_case.hpp"
 #include "gap/case/data_check.hpp"
 #include "gap/export/semantics.hpp"
 #include "gap/export/targets.hpp"
@@ -53,11 +54,13 @@ void addTo(std::vector<HiddenEffect>& effects, const std::string& text) {
 }  // namespace
 
 int check(const Arguments& given) {
+  if (isBodyCase(given.folder)) return checkBody(given);
   std::cout << asText(checkData(readGiven(given)));
   return 0;
 }
 
 int where(const Arguments& given) {
+  if (isBodyCase(given.folder)) return locateBody(given);
   const Case read = readGiven(given);
   printWarnings(read);
   const Localization found = localize(Study{read});

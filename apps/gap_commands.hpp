@@ -57,5 +57,9 @@ int scoreBenchmark(const Arguments& given);
 int writeFor(const Arguments& given);
 int planNext(const Arguments& given);
 int makeCase(const Arguments& given);
+// The same of a case of the whole robot, gap_body.cpp.
+int checkBody(const Arguments& given);
+int locateBody(const Arguments& given);
+int runBody(const Arguments& given);
 
 }  // namespace darwinop::gap

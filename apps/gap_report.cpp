@@ -14,6 +14,7 @@
 #include <string>
 
 #include "core/json/json_text.hpp"
+#include "gap/case/body/body_case.hpp"
 #include "gap/parallel/ranks.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report.hpp"
@@ -111,6 +112,7 @@ void printWarnings(const Case& read) {
 }
 
 int run(const Arguments& given) {
+  if (isBodyCase(given.folder)) return Ranks::isFirst() ? runBody(given) : 0;
   const Case read = readGiven(given);
   printWarnings(read);
   ProgressLine progress{given.json || !Ranks::isFirst()};
