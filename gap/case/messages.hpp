@@ -24,7 +24,7 @@ inline constexpr const char* kSecondSigma = "stands for a number that has a sigm
 inline constexpr const char* kTwoModels = "and `baseline` are two models";
 inline constexpr const char* kUnknownKey = "is not known";
 inline constexpr const char* kWholeRobot =
-    "is body: a case of the whole robot, for which there are `check`, `locate` and `run`; docs/gap/body.md";
+    "is body: a case of the whole robot, which `check`, `locate` and `run` take; docs/gap/body.md";
 inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
 
 // BAM

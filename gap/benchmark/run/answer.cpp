@@ -11,6 +11,8 @@
 
 #include "core/text/formatted.hpp"
 #include "core/text/joined.hpp"
+#include "gap/case/body/body_case.hpp"
+#include "gap/identify/body/body_identification.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/results.hpp"
 #include "hal/text_file.hpp"
@@ -28,13 +30,29 @@ json failed(const std::string& name, const std::string& why) {
   return answer;
 }
 
+/// Of a servo an alternative is an id; of a whole robot it has a place as well.
+std::string idOf(const json& alternative) {
+  return alternative.is_object() ? alternative.at("id").get<std::string>() : alternative.get<std::string>();
+}
+
 std::string findingOf(const json& answer) {
   const std::string verdict = answer.at("verdict");
-  if (verdict == "ambiguous" && !answer.at("ambiguity").empty())
-    return verdict + ": " + text::joined(answer.at("ambiguity").front().get<std::vector<std::string>>(), " or ");
+  if (verdict == "ambiguous" && !answer.at("ambiguity").empty()) {
+    std::vector<std::string> alternatives;
+    for (const json& one : answer.at("ambiguity").front()) alternatives.push_back(idOf(one));
+    return verdict + ": " + text::joined(alternatives, " or ");
+  }
   std::vector<std::string> ids;
   for (const json& effect : answer.at("effects")) ids.push_back(effect.at("id").get<std::string>());
   return ids.empty() ? verdict : verdict + " " + text::joined(ids, " + ");
+}
+
+json ofServo(const Case& given) {
+  return asJson(given, investigate(given));
+}
+
+json ofBody(const BodyCase& given) {
+  return asJson(given, identify(given));
 }
 
 /// Without the way to the case, which all lines would have, and to the width of a line.
@@ -53,8 +71,7 @@ json answerFor(const std::string& folder) {
   const std::string name = std::filesystem::path{folder}.filename().string();
   json answer;
   try {
-    const Case given = readCase(folder);
-    answer = asJson(given, investigate(given));
+    answer = isBodyCase(folder) ? ofBody(readBodyCase(folder)) : ofServo(readCase(folder));
   } catch (const BadInput& bad) {
     answer = badInput(name, bad.what());
   } catch (const std::exception& error) {
@@ -79,7 +96,8 @@ std::string lineOf(const json& answer) {
     return line + answer.at("verdict").get<std::string>() + ": " + shortened(*why, answer.at("case"));
   }
   line += findingOf(answer);
-  const json &before = answer.at("gap_score_before_mrad"), &after = answer.at("gap_score_after_mrad");
+  const json before = answer.value("gap_score_before_mrad", json{}),
+             after = answer.value("gap_score_after_mrad", json{});
   if (before.is_number() && after.is_number())
     line += text::formatted("  %.2f", before.get<double>()) + text::formatted(" -> %.2f mrad", after.get<double>());
   return line + text::formatted("  %.1f s", answer.at("runtime_s").get<double>());

@@ -1,4 +1,5 @@
 // The answer for a terminal and for programs.
+#include <algorithm>
 #include <cmath>
 
 #include "core/text/formatted.hpp"
@@ -56,9 +57,14 @@ std::string idsOf(const SensorFit& fit) {
   return ids.empty() ? "no effect" : ids;
 }
 
-Object namesOf(const SensorFit& fit) {
+/// Every effect of the model and of its rivals, once.
+Object alternativesOf(const SensorSelection& one) {
+  std::vector<const SensorEffect*> effects = one.found.effects;
+  for (const SensorFit& rival : one.rivals)
+    for (const SensorEffect* const effect : rival.effects)
+      if (std::ranges::find(effects, effect) == effects.end()) effects.push_back(effect);
   Object names = Object::array();
-  for (const SensorEffect* const effect : fit.effects) names.push_back({{"id", effect->id}, {"at", effect->at}});
+  for (const SensorEffect* const effect : effects) names.push_back({{"id", effect->id}, {"at", effect->at}});
   return names;
 }
 
@@ -123,8 +129,7 @@ nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& f
   Object before{{"joints_mrad", nullptr}}, after = before, floor = before;
   for (const SensorSelection& one : found.sensors) {
     for (const SensorEffect* const effect : one.found.effects) effects.push_back(effectJson(one.found, *effect));
-    if (!one.rivals.empty()) ambiguity.push_back(namesOf(one.found));
-    for (const SensorFit& rival : one.rivals) ambiguity.push_back(namesOf(rival));
+    if (!one.rivals.empty()) ambiguity.push_back(alternativesOf(one));
     const char* const key = one.sensor == ImuSensor::kGyro ? "gyro_rad_s" : "accel_m_s2";
     before[key] = known(one.held_out_before);
     after[key] = known(one.held_out_after);
