@@ -1,4 +1,4 @@
-// The faults that findings of one kind show by themselves. Those that take several findings or measurements to tell:
+// The faults that findings of one kind show by themselves. Those that several findings or measurements distinguish:
 // fault_naming.cpp.
 #pragma once
 
