@@ -41,7 +41,8 @@ inline constexpr double kNegligibleShare = 3e-4;
 inline constexpr double kRemainingFloors = 3;
 /// Share of the gap that has to be removed where the misfit is still significant.
 inline constexpr double kExplainedGapShare = 0.85;
-/// Noise floors. A smaller gap without a named effect is `cannot_tell`, not `unknown`. From the specification.
+/// Noise floors. A smaller gap without a named effect is `cannot_tell`, not `unknown`; a smaller remainder on held-out
+/// logs takes no name away. From the specification.
 inline constexpr double kLeastGapFloors = 2;
 
 // ---- Bootstrap (gap/identify/bootstrap.cpp) ----
@@ -75,9 +76,11 @@ inline constexpr double kHopelessGapShare = 0.5;
 /// A remaining gap below all three is a difference in how an effect is modelled, not a further effect: bootstrap
 /// standard deviations, noise floors, share of the gap.
 inline constexpr double kNearMisfitSigmas = 60, kNearFloors = 1.5, kNearGapShare = 0.15;
-/// Ratio of mean position errors on held-out logs, after over before, above which the effects are withdrawn, and noise
-/// floors by which it has to grow. None of 121 cases of two suites came near them.
-inline constexpr double kHeldOutErrorRatio = 1.5, kHeldOutFloors = 2;
+/// Ratio of position errors on held-out logs, after over before, above which the effects are withdrawn, and noise
+/// floors by which it has to grow: what fresh noise alone does not reach.
+inline constexpr double kHeldOutErrorRatio = 1.05, kHeldOutFloors = 1;
+/// Times by which the error on held-out logs grows without any one of the effects, where those logs decide.
+inline constexpr double kHeldOutHelp = 2;
 /// Twice the log evidence within which a rival is not excluded: odds of 150 to 1; of 7 to 1 against a rival with more
 /// free parameters. The scale of Kass and Raftery (1995).
 inline constexpr double kRivalEvidence = 10, kLargerRivalEvidence = 4;

@@ -120,8 +120,12 @@ bool isNegligible(const FittedModel& fitted, const twin::EffectInfo& effect) {
 }
 
 double floorOf(const FittedModel& fitted) {
+  return floorOf(*fitted.evidence);
+}
+
+double floorOf(const Evidence& evidence) {
   double sum = 0, count = 0;
-  for (const LogNoise& noise : fitted.evidence->noise) {
+  for (const LogNoise& noise : evidence.noise) {
     const Eigen::VectorXd sigma = noise.positionSigma();
     sum += sigma.squaredNorm(), count += static_cast<double>(sigma.size());
   }
@@ -137,7 +141,16 @@ Verdict verdictOf(const Identification& found) {
   }
   const bool most_removed = found.gap_after_rad < thresholds::kRemainingFloors * found.floor_rad &&
                             found.gap_after_rad < (1 - thresholds::kExplainedGapShare) * found.gap_before_rad;
-  if (!is_noise && !most_removed) return Verdict::kUnknown;
+  return is_noise || most_removed ? namedOrAmbiguous(found) : Verdict::kUnknown;
+}
+
+// If much of the error remains, the effects found may stand for something else.
+Verdict verdictOfRough(const Identification& found, double mean_before_rad, double mean_after_rad) {
+  const bool mostly = mean_after_rad < thresholds::kRoughErrorShare * mean_before_rad;
+  return mostly && !found.effects.empty() ? namedOrAmbiguous(found) : Verdict::kUnknown;
+}
+
+Verdict namedOrAmbiguous(const Identification& found) {
   return std::ranges::any_of(found.rivals, &Rival::isClose) ? Verdict::kAmbiguous : Verdict::kNamed;
 }
 

@@ -26,7 +26,12 @@ Hypothesis withoutUndetermined(const FittedModel& fitted);
 
 /// Rms position error that noise alone produces, rad.
 double floorOf(const FittedModel& fitted);
+double floorOf(const Evidence& evidence);  // NaN without logs
 
 Verdict verdictOf(const Identification& found);
+/// On a roughly known baseline that leaves a remainder, by the mean position errors.
+Verdict verdictOfRough(const Identification& found, double mean_before_rad, double mean_after_rad);
+/// Of effects that are accepted: `ambiguous` if the data do not exclude a rival, else `named`.
+Verdict namedOrAmbiguous(const Identification& found);
 
 }  // namespace darwinop::gap

@@ -89,6 +89,13 @@ FittedModel refit(const Study& study, const Effects& effects, Nuisance nuisance,
   return std::move(*best);
 }
 
+FittedModel baselineAlone(const Study& study, Nuisance nuisance) {
+  const Problem problem = problemWith(study, study.evidence, {}, nuisance);
+  Fit start;
+  start.x = problem.expected();
+  return refit(study, {}, nuisance, problem, start, 4);
+}
+
 FittedModel withFreeNuisance(const FittedModel& fitted) {
   Problem problem = problemWith(*fitted.study, *fitted.evidence, fitted.effects, Nuisance::kFree);
   const Eigen::VectorXd x = startFrom(problem, fitted.problem, fitted.fit.x);

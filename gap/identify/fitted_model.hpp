@@ -29,6 +29,9 @@ FittedModel refit(const Study& study, const Effects& effects, Nuisance nuisance,
 /// The same, starting at `from`.
 FittedModel refit(const FittedModel& from, const Effects& effects, int rounds);
 
+/// The baseline without additions.
+FittedModel baselineAlone(const Study& study, Nuisance nuisance);
+
 /// The same values with all baseline numbers free: their Jacobian and covariance.
 FittedModel withFreeNuisance(const FittedModel& fitted);
 

@@ -49,9 +49,10 @@ struct Rival {
 };
 
 /// Why an effect that improves the fit is not named: the measured voltage contradicts it; it improves the prediction
-/// of some logs and not of others; of none; it worsens the held-out logs.
-enum class RejectionReason : std::uint8_t { kVoltage, kUndecided, kNoPredictiveGain, kWorsensHeldOut };
-/// As results.json has it: "voltage", "undecided", "no_predictive_gain", "worsens_held_out".
+/// of some logs and not of others; of none; it worsens the held-out logs; it removes more than chance would and hardly
+/// anything of the gap.
+enum class RejectionReason : std::uint8_t { kVoltage, kUndecided, kNoPredictiveGain, kWorsensHeldOut, kSmallShare };
+/// As results.json has it: "voltage", "undecided", "no_predictive_gain", "worsens_held_out", "small_share".
 std::string_view nameOf(RejectionReason reason);
 struct RejectedEffect {
   const twin::EffectInfo* effect = nullptr;
@@ -65,13 +66,14 @@ struct Identification {
   std::vector<Rival> rivals;  // nearest first
   std::vector<PriorConflict> prior_conflicts;
   std::vector<RejectedEffect> rejected;
+  std::vector<IdentifiedEffect> withdrawn;  // of `unknown`: the best set that was tried; not in `model`
   // Gain that chance exceeds in 1 % of cases; in 2.5 % where the model is plainly wrong. NaN: not computed.
   double threshold = 0;
   double misfit = 0;                             // of the final model, bootstrap standard deviations
   double gap_before_rad = 0, gap_after_rad = 0;  // rms position error over the fit logs, closed loop
   double floor_rad = 0;                          // the same of a right model: noise alone
   Hypothesis model;                              // the baseline with the effects
-  bool remains = false;                          // named, with a remainder that no effect of the catalogue explains
+  bool remains = false;  // named or ambiguous, with a remainder that no effect of the catalogue explains
 };
 
 struct IdentifyOptions {

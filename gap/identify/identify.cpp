@@ -98,8 +98,8 @@ std::string_view nameOf(Verdict verdict) {
 }
 
 std::string_view nameOf(RejectionReason reason) {
-  static constexpr std::array<std::string_view, 4> kNames{"voltage", "undecided", "no_predictive_gain",
-                                                          "worsens_held_out"};
+  static constexpr std::array<std::string_view, 5> kNames{"voltage", "undecided", "no_predictive_gain",
+                                                          "worsens_held_out", "small_share"};
   return kNames.at(static_cast<std::size_t>(reason));
 }
 

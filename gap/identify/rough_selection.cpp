@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gap/identify/assessment.hpp"
+#include "gap/identify/held_out.hpp"
 #include "gap/identify/shortlist.hpp"
 #include "gap/identify/supply_check.hpp"
 #include "gap/plant/position_error.hpp"
@@ -136,6 +137,7 @@ bool RoughSelection::addRareEffect() {
                          other.model->problem.unknowns().size() > best->problem.unknowns().size()});
   model_ = refitWithDiscrepancy(best->effects, *best);
   dropNeedless();
+  if (!has(model_.effects, *best->effects.back().info)) rivals_.clear();  // of an effect that is gone
   return true;
 }
 
@@ -156,12 +158,10 @@ bool RoughSelection::hasAll(const std::vector<std::string>& effects) const {
                              [&](const std::string& id) { return has(model_.effects, *twin::findEffect(id)); });
 }
 
-// If much of the error remains, the effects found may stand for something else.
 Verdict RoughSelection::verdictWithRemainder(const Identification& found) const {
   const double before = meanPositionError(study_.plant, study_.data, study_.baseline, LogRole::kFit);
   const double after = meanPositionError(study_.plant, study_.data, found.model, LogRole::kFit);
-  const bool mostly = after < thresholds::kRoughErrorShare * before;
-  return mostly && !found.effects.empty() ? Verdict::kNamed : Verdict::kUnknown;
+  return verdictOfRough(found, before, after);
 }
 
 Identification RoughSelection::result() const {
@@ -185,6 +185,8 @@ Identification RoughSelection::result() const {
   found.gap_after_rad = rmsPositionError(study_.plant, study_.data, found.model, LogRole::kFit);
   found.remains = found.misfit > thresholds::kMisfitSigmas;
   found.verdict = found.remains ? verdictWithRemainder(found) : verdictOf(found);
+  if ((found.remains || !found.effects.empty()) && worsensHeldOut(study_, found.model, found.floor_rad))
+    withdraw(study_, true, found);
   return found;
 }
 

@@ -15,7 +15,10 @@ Selection::Choice Selection::choose(const std::vector<FittedModel>& candidates) 
     const FittedModel& present = choice.present.emplace_back(refitUnderNoiseOf(model_, candidate));
     const double gain = present.fit.cost - candidate.fit.cost, needed = neededFor(effect);
     report("%s gains %.0f, needs %.0f", std::string{effect.id}.c_str(), gain, needed);
-    if (!passes(candidate, gain, needed)) continue;
+    if (!passes(candidate, gain, needed)) {
+      if (gain > threshold_ && gain < needed) choice.rejected.push_back({&effect, RejectionReason::kSmallShare});
+      continue;
+    }
     if (staysInsideItsPrior(candidate)) {
       // With exact numbers the best explanation is a number inside its prior: a weaker candidate is not a finding.
       if (model_.nuisance == Nuisance::kFixed && &candidate == &candidates.front()) {
@@ -24,7 +27,10 @@ Selection::Choice Selection::choose(const std::vector<FittedModel>& candidates) 
       }
       continue;
     }
-    if (!predictsBetter(candidate, present, gain)) continue;
+    if (!predictsBetter(candidate, present, gain)) {
+      choice.rejected.push_back({&effect, RejectionReason::kNoPredictiveGain});
+      continue;
+    }
     choice.model = &candidate, choice.gain = gain, choice.needed = needed;
     return choice;
   }

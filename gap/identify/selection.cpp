@@ -8,17 +8,6 @@
 #include "gap/plant/baseline_alias.hpp"
 
 namespace darwinop::gap {
-namespace {
-
-FittedModel baselineAlone(const Study& study, Nuisance nuisance) {
-  const Problem problem = problemWith(study, study.evidence, {}, nuisance);
-  Fit start;
-  start.x = problem.expected();
-  return refit(study, {}, nuisance, problem, start, 4);
-}
-
-}  // namespace
-
 Selection::Selection(const Study& study, const IdentifyOptions& options, Nuisance nuisance)
     : study_{study},
       options_{options},
@@ -50,7 +39,9 @@ bool Selection::addOne(const Screen& screen) {
 /// Adds the best of the fitted candidates, or refits the present effects from the optimum that a candidate found.
 bool Selection::addFrom(const std::vector<FittedModel>& candidates) {
   const Choice choice = choose(candidates);
+  rejected_ = choice.rejected;
   if (choice.model != nullptr) {
+    rejected_.clear();
     add(*choice.model, choice.gain, choice.needed, candidates);
     prune();
     return true;

@@ -42,7 +42,8 @@ class Selection {
   struct Choice {
     const FittedModel* model = nullptr;  // null: none passed
     double gain = 0, needed = 0;
-    std::vector<FittedModel> present;  // the present effects under the noise of each candidate that was tested
+    std::vector<FittedModel> present;      // the present effects under the noise of each candidate that was tested
+    std::vector<RejectedEffect> rejected;  // that gain more than chance
   };
 
   // screen, refine
@@ -73,8 +74,6 @@ class Selection {
   [[nodiscard]] double leastGainOf(const twin::EffectInfo& effect) const;
   // verdict
   [[nodiscard]] bool isNearlyExact() const;
-  [[nodiscard]] bool worsensHeldOut(const Identification& found) const;
-  void withdraw(Identification& found, bool worsens) const;
   template <class... Values>
   void report(const char* format, Values... values) const {
     char text[200];
@@ -89,6 +88,7 @@ class Selection {
   std::vector<double> gains_;                        // one for each effect of model_
   std::vector<Rival> rivals_;
   std::vector<const twin::EffectInfo*> runners_up_;
+  std::vector<RejectedEffect> rejected_;                 // of the last round
   double threshold_ = 0, misfit_ = 0, excess_cost_ = 0;  // of model_: chance gain, misfit, cost beyond noise
 };
 

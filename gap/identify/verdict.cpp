@@ -1,7 +1,8 @@
-// The verdict of a finished selection; withdraws effects that fail on held-out logs.
+// The verdict of a finished selection.
 #include <algorithm>
 #include <functional>
 
+#include "gap/identify/held_out.hpp"
 #include "gap/identify/selection.hpp"
 #include "gap/plant/position_error.hpp"
 
@@ -32,14 +33,6 @@ bool Selection::leavesMostOfTheGap() const {
                                           thresholds::kHopelessGapShare * study_.gap_rad;
 }
 
-// False without held-out logs: comparisons with NaN.
-bool Selection::worsensHeldOut(const Identification& found) const {
-  const double before = meanPositionError(study_.plant, study_.data, study_.baseline, LogRole::kHeldOut);
-  const double after = meanPositionError(study_.plant, study_.data, found.model, LogRole::kHeldOut);
-  return after > thresholds::kHeldOutErrorRatio * before &&
-         after > before + thresholds::kHeldOutFloors * found.floor_rad;
-}
-
 Identification Selection::result() const {
   Identification found;
   found.threshold = threshold_;
@@ -48,7 +41,9 @@ Identification Selection::result() const {
   found.rivals = rivals_;
   found.prior_conflicts = priorConflictsOf(model_);
   const FittedModel free = withFreeNuisance(model_);
-  const double cost = model_.fit.cost - model_.fit.prior, excess = cost / (cost - excess_cost_);
+  const double cost = model_.fit.cost - model_.fit.prior;
+  const double least = explainsAll() ? 1 : 1.01 * thresholds::kRightCostRatio;  // a remainder widens every interval
+  const double excess = std::max(least, cost / (cost - excess_cost_));
   for (std::size_t i = 0; i < model_.effects.size(); ++i) {
     const twin::EffectInfo& effect = *model_.effects[i].info;
     found.effects.push_back(
@@ -57,28 +52,21 @@ Identification Selection::result() const {
   found.gap_before_rad = study_.gap_rad;
   found.gap_after_rad = rmsPositionError(study_.plant, study_.data, found.model, LogRole::kFit);
   found.floor_rad = floorOf(model_);
-  const bool worsens = !found.effects.empty() && worsensHeldOut(found);
-  found.verdict = worsens ? Verdict::kUnknown : verdictOf(found);
+  found.verdict = verdictOf(found);
+  // A remainder that is small on logs that no fit has seen takes no name away.
+  if (found.verdict == Verdict::kUnknown && predictsHeldOut(model_)) found.verdict = namedOrAmbiguous(found);
+  const bool accepted = found.verdict == Verdict::kNamed || found.verdict == Verdict::kAmbiguous;
+  found.remains = accepted && !explainsAll();
+  if (found.verdict == Verdict::kUnknown) found.rejected = rejected_;
   // In `ambiguous` the last effect is the one with close rivals, so the order stays.
   if (found.verdict != Verdict::kAmbiguous)
     std::ranges::stable_sort(found.effects, std::greater{}, &IdentifiedEffect::gain);
   // If half of the gap has no name, there is little reason to trust the name of the other half.
-  const bool half_left = found.gap_after_rad > thresholds::kHopelessGapShare * found.gap_before_rad;
-  if (worsens || (found.verdict == Verdict::kUnknown && half_left)) withdraw(found, worsens);
+  const bool half_left =
+      found.verdict == Verdict::kUnknown && found.gap_after_rad > thresholds::kHopelessGapShare * found.gap_before_rad;
+  const bool worsens = !found.effects.empty() && worsensHeldOut(study_, found.model, found.floor_rad);
+  if (worsens || half_left) withdraw(study_, worsens, found);
   return found;
-}
-
-/// The baseline again, without additions.
-void Selection::withdraw(Identification& found, bool worsens) const {
-  for (const IdentifiedEffect& one : found.effects)
-    if (worsens) found.rejected.push_back({one.effect, RejectionReason::kWorsensHeldOut});
-  const FittedModel nothing = Selection{study_, options_, Nuisance::kFixed}.model();
-  found.misfit = misfitOf(nothing, bootstrapOf(nothing, nullptr, thresholds::kBootstrapRuns));
-  found.effects.clear();
-  found.rivals.clear();
-  found.prior_conflicts.clear();
-  found.model = study_.baseline;
-  found.gap_after_rad = found.gap_before_rad;
 }
 
 }  // namespace darwinop::gap

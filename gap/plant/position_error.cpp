@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gap/case/plausible.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -38,6 +39,11 @@ double rmsPositionError(const Plant& plant, const Case& data, const Hypothesis& 
   double sum = 0, count = 0;
   overErrors(plant, data, hypothesis, role, [&](double error, double /*rows*/) { sum += error * error, ++count; });
   return count == 0 ? kUnknown : std::sqrt(sum / count);
+}
+
+bool isWorse(double before_rad, double after_rad, double floor_rad) {
+  return after_rad > thresholds::kHeldOutErrorRatio * before_rad &&
+         after_rad > before_rad + thresholds::kHeldOutFloors * floor_rad;
 }
 
 double meanPositionError(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role) {

@@ -15,4 +15,7 @@ double rmsPositionError(const Plant& plant, const Case& data, const Hypothesis& 
 /// root mean square.
 double meanPositionError(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role);
 
+/// An error on held-out logs that grows by more than fresh noise would make it: the changed model is worse.
+bool isWorse(double before_rad, double after_rad, double floor_rad);
+
 }  // namespace darwinop::gap

@@ -8,12 +8,15 @@ inline constexpr const char* kVoltage = "fits, but the measured voltage does not
 inline constexpr const char* kUndecided = "possible; the report names the experiment that decides";
 inline constexpr const char* kNoPredictiveGain = "fits these logs and predicts no left-out log better";
 inline constexpr const char* kWorsensHeldOut = "fits these logs and worsens the held-out logs";
+inline constexpr const char* kSmallShare = "gains more than chance, and hardly reduces the gap";
 inline constexpr const char* kVoltageInFull =
     " would improve the fit, but the measured voltage does not drop as this effect requires.";
 inline constexpr const char* kNoPredictiveGainInFull =
     " would improve the fit, but predicts no log better that the fit leaves out.";
 inline constexpr const char* kWorsensHeldOutInFull =
-    " would improve the fit, but increases the error on the held-out logs by half or more.";
+    " would improve the fit, but increases the error on the held-out logs.";
+inline constexpr const char* kSmallShareInFull =
+    " gains more than chance would, but removes less than a twentieth of what is unexplained.";
 
 // The sentence of a verdict.
 inline constexpr const char* kOnlyNoise = "The model explains these logs: what is left is noise.";
@@ -22,6 +25,9 @@ inline constexpr const char* kOutsideCatalogue = " known effects explains";
 inline constexpr const char* kTooLittle =
     "These logs differ from the model, but by too little, or in too few ways, to say why.";
 inline constexpr const char* kRemainder = "; a remainder is left that no effect of the catalogue explains.";
+inline constexpr const char* kWidened = "The intervals are widened by the remainder.";
+inline constexpr const char* kTried = "The best effects that were tried, not named and not in the changed model: ";
+inline constexpr const char* kUnchanged = "is within noise of what it was, ";
 inline constexpr const char* kNotIdentifiable = "not identifiable from these data";
 inline constexpr const char* kHeldOutLogs = "held-out logs";
 inline constexpr const char* kNoHeldOutLog = "No log of this case is held out.";

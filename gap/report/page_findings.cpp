@@ -127,6 +127,8 @@ std::string whatSection(const Report& report) {
   for (const IdentifiedEffect& found : identification.effects) inside += foundText(found);
   if (!report.outcome->remainder.empty())
     inside += "<h3>Unexplained remainder</h3>" + element("p", report.outcome->remainder);
+  for (const std::string& sentence : {intervalSentence(identification), triedSentence(identification)})
+    if (!sentence.empty()) inside += element("p", sentence);
   for (const RejectedEffect& rejected : identification.rejected) inside += element("p", rejectionSentence(rejected));
   inside +=
       rivalsText(identification) + experimentText(identification) + conflictsText(identification) + benchText(report);

@@ -88,10 +88,11 @@ json maskedOf(const Case& given) {
 json asJson(const Case& given, const Outcome& outcome) {
   const Identification& identification = outcome.identification;
   const Additions additions = additionsOf(given, outcome, "");
-  json effects = json::array(), ambiguity = json::array();
+  json effects = json::array(), candidates = json::array(), ambiguity = json::array();
   // In `unknown` the effects only improve the fit.
-  if (identification.verdict != Verdict::kUnknown)
-    for (const IdentifiedEffect& found : identification.effects) effects.push_back(parametersOf(additions, found));
+  json& listed = identification.verdict == Verdict::kUnknown ? candidates : effects;
+  for (const IdentifiedEffect& found : identification.effects) listed.push_back(parametersOf(additions, found));
+  for (const IdentifiedEffect& tried : identification.withdrawn) candidates.push_back(parametersOf(additions, tried));
   if (identification.verdict == Verdict::kAmbiguous) {
     json set = json::array();
     if (!identification.effects.empty()) set.push_back(identification.effects.back().effect->id);
@@ -109,6 +110,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"case", given.name},
           {"verdict", nameOf(identification.verdict)},
           {"effects", effects},
+          {"candidates", candidates},
           {"ambiguity", ambiguity},
           {"where", asJson(outcome.localization)["places"]},
           {"block", blockOrNull(outcome)},

@@ -6,6 +6,7 @@
 
 #include "core/text/joined.hpp"
 #include "core/text/number_text.hpp"
+#include "gap/plant/position_error.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "gap/thresholds.hpp"
@@ -61,17 +62,17 @@ std::string namedByRivals(const Identification& identification) {
 
 std::string firstSentence(const Outcome& outcome) {
   const Identification& identification = outcome.identification;
+  const std::string end = identification.remains ? messages::kRemainder : ".";
   switch (identification.verdict) {
     case Verdict::kNone:
       return messages::kOnlyNoise;
     case Verdict::kNamed:
       if (std::ranges::all_of(identification.effects, &IdentifiedEffect::corrected))
         return "The model has " + titlesOf(identification.effects) + ", but with a wrong number" +
-               firstNumber(identification) + ".";
-      return "The model lacks " + titlesOf(identification.effects) + firstNumber(identification) +
-             std::string{identification.remains ? messages::kRemainder : "."};
+               firstNumber(identification) + end;
+      return "The model lacks " + titlesOf(identification.effects) + firstNumber(identification) + end;
     case Verdict::kAmbiguous:
-      return std::string{"The model lacks "} + messages::kNotIdentified + namedByRivals(identification) + ".";
+      return std::string{"The model lacks "} + messages::kNotIdentified + namedByRivals(identification) + end;
     case Verdict::kUnknown:
       return "The model lacks something that none of the " + std::to_string(twin::catalogue().size()) +
              messages::kOutsideCatalogue + placeOf(outcome) + ".";
@@ -111,6 +112,8 @@ std::string shortRejection(const RejectedEffect& rejected) {
       return id.append(messages::kUndecided);
     case RejectionReason::kWorsensHeldOut:
       return id.append(messages::kWorsensHeldOut);
+    case RejectionReason::kSmallShare:
+      return id.append(messages::kSmallShare);
     case RejectionReason::kNoPredictiveGain:
       break;
   }
@@ -129,12 +132,26 @@ std::string rejectionSentence(const RejectedEffect& rejected) {
       return title.append(messages::kNoPredictiveGainInFull);
     case RejectionReason::kWorsensHeldOut:
       return title.append(messages::kWorsensHeldOutInFull);
+    case RejectionReason::kSmallShare:
+      return title.append(messages::kSmallShareInFull);
   }
   std::vector<std::string> doubles;
   for (const std::string_view id : rejected.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);
   return title + " is possible, as are the effects it is confused with (" + text::joined(doubles, ", ") +
          "): it predicts some left-out logs better and others worse. Experiment that decides: " +
          std::string{rejected.effect->separated_by};
+}
+
+std::string intervalSentence(const Identification& identification) {
+  return identification.remains ? messages::kWidened : "";
+}
+
+std::string triedSentence(const Identification& identification) {
+  std::vector<std::string> values;
+  for (const IdentifiedEffect& one : identification.withdrawn)
+    for (const Estimate& estimate : one.estimates)
+      values.push_back(estimate.name + " = " + withUnit(estimate.value, estimate.unit));
+  return values.empty() ? "" : messages::kTried + text::joined(values, ", ") + ".";
 }
 
 std::string helpSentence(const Comparison& comparison) {
@@ -146,8 +163,9 @@ std::string helpSentence(const Comparison& comparison) {
   const std::string on = "On held-out logs the position error ";
   const double change = (gap.after_rad - gap.before_rad) / gap.before_rad;
   if (std::abs(change) < thresholds::kUnchangedGapShare) return on + "is " + after + "; " + noise;
-  if (change > 0)
+  if (isWorse(gap.before_rad, gap.after_rad, gap.floor_rad))
     return on + "grows from " + before + " to " + after + ": " + std::string{messages::kWorse} + "; " + noise;
+  if (change > 0) return on + messages::kUnchanged + after + " after " + before + "; " + noise;
   return on + "falls from " + before + " to " + after + "; " + noise;
 }
 

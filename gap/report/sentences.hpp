@@ -17,6 +17,11 @@ std::string helpSentence(const Comparison& comparison);
 std::string shortRejection(const RejectedEffect& rejected);
 std::string rejectionSentence(const RejectedEffect& rejected);
 
+/// What a remainder means for the intervals. Empty: there is none.
+std::string intervalSentence(const Identification& identification);
+/// The effects that were tried and withdrawn, with their values; empty: none.
+std::string triedSentence(const Identification& identification);
+
 /// Rivals that the data do not exclude.
 std::vector<Rival> closeRivals(const Identification& identification);
 

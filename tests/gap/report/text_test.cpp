@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report_rig.hpp"
@@ -65,6 +66,40 @@ TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
   EXPECT_THAT(rejectionSentence(identification.rejected[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
 }
 
+TEST(Summary, SaysWhatARemainderDoesToTheIntervals) {
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  EXPECT_THAT(inOneLine(asText(rig.report)), Not(HasSubstr(messages::kWidened)));
+  identification.remains = true;
+  EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(messages::kWidened));
+  EXPECT_THAT(asHtml(rig.report), HasSubstr(messages::kWidened));
+  identification.verdict = Verdict::kAmbiguous;
+  identification.rivals.front().behind = 1;
+  EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(messages::kRemainder)) << "beside an ambiguous set as well";
+}
+
+TEST(Summary, ListsWhatWasTriedThoughNothingIsNamed) {
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  identification.verdict = Verdict::kUnknown;
+  nlohmann::json answer = asJson(rig.given, rig.outcome);
+  EXPECT_TRUE(answer["effects"].empty());
+  ASSERT_EQ(answer["candidates"].size(), 1U) << "it improves the fit";
+  EXPECT_EQ(answer["candidates"][0]["id"], "coulomb");
+  identification.withdrawn = std::exchange(identification.effects, {});
+  identification.model = rig.outcome.baseline;
+  identification.rejected = {{twin::findEffect("cogging"), RejectionReason::kSmallShare}};
+  identification.prior_conflicts.clear();
+  rig.make();
+  answer = asJson(rig.given, rig.outcome);
+  ASSERT_EQ(answer["candidates"].size(), 1U) << "it was withdrawn";
+  EXPECT_EQ(answer["rejected"][0]["why"], "small_share");
+  const std::string text = inOneLine(asText(rig.report)), page = asHtml(rig.report);
+  EXPECT_THAT(text, HasSubstr(std::string{messages::kTried} + "coulomb.friction = 0.0423 N m."));
+  EXPECT_THAT(text, HasSubstr(std::string{"cogging: "} + messages::kSmallShare));
+  EXPECT_THAT(page, AllOf(HasSubstr(messages::kTried), HasSubstr(messages::kSmallShareInFull)));
+}
+
 TEST(Results, HaveTheBlockOfTheNamedEffectAndTheFirstOpenBlock) {
   const Case given = twoLogs();
   Outcome outcome = dryFriction(given);
@@ -112,6 +147,8 @@ TEST(Summary, WarnsOfAModelThatGotWorseAndOfOneThatIsTooGood) {
   rig.report.comparison.held_out = gapOfMrad(10, 20, 1);
   EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(messages::kWorse));
   EXPECT_THAT(asText(rig.report), Not(HasSubstr(messages::kBelowFloorFlag)));
+  rig.report.comparison.held_out = gapOfMrad(10, 10.5, 1);
+  EXPECT_THAT(inOneLine(asText(rig.report)), AllOf(HasSubstr(messages::kUnchanged), Not(HasSubstr(messages::kWorse))));
   rig.report.comparison.logs[1].below_floor = true;
   EXPECT_THAT(asText(rig.report), HasSubstr(std::string{messages::kBelowFloorFlag} + "!"));
 }

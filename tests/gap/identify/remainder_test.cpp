@@ -1,0 +1,62 @@
+// What an answer says where a remainder is left: which names stay, which are withdrawn, and why.
+#include <gtest/gtest.h>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/identify/held_out.hpp"
+#include "gap/plant/position_error.hpp"
+#include "small_case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+/// Dry friction that is accepted, and a rival that is so far behind in evidence.
+Identification frictionWithRival(double behind) {
+  Identification found;
+  found.effects.push_back({.effect = twin::findEffect("coulomb"), .estimates = {}});
+  found.rivals.push_back({.effects = {"deadband"}, .behind = behind});
+  return found;
+}
+
+TEST(Remainder, ACloseRivalIsAmbiguousOnARoughBaselineToo) {
+  EXPECT_EQ(verdictOfRough(frictionWithRival(0), 0.1, 0.01), Verdict::kAmbiguous);
+  EXPECT_EQ(verdictOfRough(frictionWithRival(50), 0.1, 0.01), Verdict::kNamed);
+  EXPECT_EQ(verdictOfRough(frictionWithRival(0), 0.1, 0.05), Verdict::kUnknown) << "half of the error is left";
+}
+
+TEST(Remainder, AnErrorThatGrowsWithinNoiseIsNotWorse) {
+  EXPECT_TRUE(isWorse(0.010, 0.020, 0.001));
+  EXPECT_FALSE(isWorse(0.001, 0.0015, 0.001)) << "half a floor";
+  EXPECT_FALSE(isWorse(0.100, 0.102, 0.001)) << "2 %";
+  EXPECT_FALSE(isWorse(std::nan(""), std::nan(""), 0.001)) << "no log is held out";
+}
+
+/// A fit of these effects, each at one value.
+FittedModel fittedAt(const Study& study, const std::vector<std::pair<std::string_view, double>>& values) {
+  Effects effects;
+  for (const auto& [id, value] : values) effects.push_back({twin::findEffect(id)});
+  const Problem problem = problemWith(study, study.evidence, effects, Nuisance::kFree);
+  Fit start;
+  start.x = problem.expected();
+  for (std::size_t i = 0; i < problem.unknowns().size(); ++i)
+    for (const auto& [id, value] : values)
+      if (problem.unknowns()[i].name.starts_with(std::string{id} + "."))
+        start.x[static_cast<Eigen::Index>(i)] = problem.unknowns()[i].toSearch(value);
+  return refit(study, effects, Nuisance::kFree, problem, start, 1);
+}
+
+// The fitted logs do not count: only the held-out one vouches for a name.
+TEST(Remainder, HeldOutLogsVouchForEachEffectThatTheyNeed) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "coulomb", "friction", 0.06), 41);
+  const Study study{given};
+  EXPECT_TRUE(predictsHeldOut(fittedAt(study, {{"coulomb", 0.06}})));
+  EXPECT_FALSE(predictsHeldOut(fittedAt(study, {{"coulomb", 0.06}, {"encoder_offset", 0.0005}})))
+      << "without the second effect these logs are predicted as well";
+  Case alone = given;
+  alone.logs.pop_back();
+  const Study nothing_held_out{alone};
+  EXPECT_FALSE(predictsHeldOut(fittedAt(nothing_held_out, {{"coulomb", 0.06}})));
+}
+
+}  // namespace
+}  // namespace darwinop::gap
