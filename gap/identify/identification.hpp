@@ -73,6 +73,7 @@ struct Identification {
   double gap_before_rad = 0, gap_after_rad = 0;  // rms position error over the fit logs, closed loop
   double floor_rad = 0;                          // the same of a right model: noise alone
   Hypothesis model;                              // the baseline with the effects
+  std::vector<std::string> explained;            // files of the logs that alone were fitted; empty: all were
   bool remains = false;  // named or ambiguous, with a remainder that no effect of the catalogue explains
 };
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "gap/identify/cross_validation.hpp"
 #include "gap/identify/rough_selection.hpp"
 #include "gap/identify/selection.hpp"
+#include "gap/identify/split_search.hpp"
 #include "gap/plant/baseline_alias.hpp"
 
 namespace darwinop::gap {
@@ -63,10 +65,7 @@ Identification identifyOnRoughBaseline(const Study& study, const IdentifyOptions
   return rough.result();
 }
 
-}  // namespace
-
-Identification identify(const Study& study, const IdentifyOptions& options) {
-  if (isRoughlyKnown(study.data)) return identifyOnRoughBaseline(study, options);
+Identification searchAllLogs(const Study& study, const IdentifyOptions& options) {
   options.progress("numbers of the baseline fixed");
   Selection exact{study, options, Nuisance::kFixed};
   exact.run();
@@ -89,6 +88,17 @@ Identification identify(const Study& study, const IdentifyOptions& options) {
   if (free.model().effects.empty() || free.leavesMostOfTheGap()) return exact.result();
   const CrossValidation validation = crossValidate(exact.model(), free.model());
   return validation.mean > validation.error ? free.result() : exact.result();
+}
+
+}  // namespace
+
+Identification identify(const Study& study, const IdentifyOptions& options) {
+  if (isRoughlyKnown(study.data)) return identifyOnRoughBaseline(study, options);
+  Identification found = searchAllLogs(study, options);
+  if (found.verdict != Verdict::kUnknown) return found;
+  options.progress("no model explains all logs: each half of the session alone");
+  if (std::optional<Identification> part = searchInHalves(study, options, &searchAllLogs)) return std::move(*part);
+  return found;
 }
 
 std::string_view nameOf(Verdict verdict) {

@@ -116,6 +116,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"block", blockOrNull(outcome)},
           {"first_open_block", firstOpenBlockOrNull(outcome)},
           {"remainder", outcome.remainder},
+          {"explained_logs", identification.explained},
           {"rejected", rejected},
           {"prior_conflicts", conflicts},
           {"numbers", numbersOf(additions)},

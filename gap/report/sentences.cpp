@@ -143,7 +143,9 @@ std::string rejectionSentence(const RejectedEffect& rejected) {
 }
 
 std::string intervalSentence(const Identification& identification) {
-  return identification.remains ? messages::kWidened : "";
+  if (!identification.remains) return "";
+  if (identification.explained.empty()) return messages::kWidened;
+  return messages::kExplained + text::joined(identification.explained, ", ") + ".";
 }
 
 std::string triedSentence(const Identification& identification) {

@@ -17,7 +17,7 @@ std::string helpSentence(const Comparison& comparison);
 std::string shortRejection(const RejectedEffect& rejected);
 std::string rejectionSentence(const RejectedEffect& rejected);
 
-/// What a remainder means for the intervals. Empty: there is none.
+/// What a remainder means for the intervals: they are widened, or of these logs alone. Empty: there is none.
 std::string intervalSentence(const Identification& identification);
 /// The effects that were tried and withdrawn, with their values; empty: none.
 std::string triedSentence(const Identification& identification);

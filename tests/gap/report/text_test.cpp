@@ -73,6 +73,9 @@ TEST(Summary, SaysWhatARemainderDoesToTheIntervals) {
   identification.remains = true;
   EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(messages::kWidened));
   EXPECT_THAT(asHtml(rig.report), HasSubstr(messages::kWidened));
+  identification.explained = {"fit_1.csv", "fit_2.csv"};
+  EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(std::string{messages::kExplained} + "fit_1.csv, fit_2.csv."));
+  EXPECT_EQ(asJson(rig.given, rig.outcome)["explained_logs"].size(), 2U);
   identification.verdict = Verdict::kAmbiguous;
   identification.rivals.front().behind = 1;
   EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(messages::kRemainder)) << "beside an ambiguous set as well";

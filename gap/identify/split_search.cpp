@@ -1,0 +1,139 @@
+#include "gap/identify/split_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/identify/cross_validation.hpp"
+#include "gap/identify/held_out.hpp"
+#include "gap/plant/baseline_alias.hpp"
+#include "gap/plant/position_error.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using Logs = std::vector<std::size_t>;
+
+/// The fit logs, copies of a log once, in the order in which they were recorded.
+Logs inSessionOrder(const Study& study) {
+  Logs logs = study.evidence.logs;
+  std::ranges::stable_sort(logs, {}, [&](std::size_t i) { return study.data.logs[i].session_start_s; });
+  return logs;
+}
+
+Case withFitLogs(Case given, const Logs& logs) {
+  for (std::size_t i = 0; i < given.logs.size(); ++i) given.logs[i].held_out = std::ranges::find(logs, i) == logs.end();
+  return given;
+}
+
+/// The effects of `found` as a fit to the logs of `study`.
+FittedModel refitted(const Study& study, const Identification& found) {
+  Effects effects;
+  for (const IdentifiedEffect& one : found.effects) effects.push_back({one.effect});
+  const Problem problem = problemWith(study, study.evidence, effects, Nuisance::kFree);
+  Fit start;
+  start.x = problem.expected();
+  for (std::size_t i = 0; i < problem.unknowns().size(); ++i)
+    for (const IdentifiedEffect& one : found.effects)
+      for (const Estimate& estimate : one.estimates)
+        if (estimate.name == problem.unknowns()[i].name)
+          start.x[static_cast<Eigen::Index>(i)] = problem.unknowns()[i].toSearch(estimate.value);
+  return refit(study, effects, Nuisance::kFree, problem, start, 2);
+}
+
+/// Mean |position error| of each log outside of the fit, rad.
+std::vector<double> errorsOutside(const Study& study, const Hypothesis& model) {
+  std::vector<double> errors;
+  Case one = study.data;
+  for (Trajectory& log : one.logs) log.held_out = true;
+  for (std::size_t i = 0; i < one.logs.size(); ++i) {
+    if (!study.data.logs[i].held_out) continue;
+    one.logs[i].held_out = false;
+    const double error = meanPositionError(study.plant, one, model, LogRole::kFit);
+    if (std::isfinite(error)) errors.push_back(error);  // else a copy of another log
+    one.logs[i].held_out = true;
+  }
+  return errors;
+}
+
+/// Takes the effect out of the model: as the baseline has it, or not at all.
+void takeOut(const twin::EffectInfo& effect, const Hypothesis& baseline, Hypothesis& model) {
+  std::erase_if(model.effects, [&](const PlacedEffect& one) { return one.info == &effect; });
+  for (const PlacedEffect& one : baseline.effects)
+    if (one.info == &effect) model.with(effect, one.place).values = one.values;
+}
+
+/// The model without its effect `i`: every number of the baseline is fitted again to make up for it, except one that
+/// the effect itself stands for, which is as it was given.
+Hypothesis modelWithout(const FittedModel& fitted, std::size_t i) {
+  const twin::EffectInfo& effect = *fitted.effects[i].info;
+  if (!aliasesAPrior(fitted.study->data, effect)) return refitWithout(fitted, i).hypothesis();
+  Hypothesis model = fitted.hypothesis();
+  takeOut(effect, fitted.study->baseline, model);
+  return model;
+}
+
+/// On most logs the error is smaller with the effect, and on none larger by more than noise.
+bool improves(const std::vector<double>& without, const std::vector<double>& with, double floor_rad) {
+  for (std::size_t i = 0; i < with.size(); ++i)
+    if (isWorse(without[i], with[i], floor_rad)) return false;
+  return crossValidate(without, with).improves();
+}
+
+/// Drops effects that do not improve predictions outside of the half.
+void dropUnproven(const Study& half, Identification& found) {
+  const FittedModel with = refitted(half, found);
+  const std::vector<double> errors = errorsOutside(half, with.hypothesis());
+  std::vector<IdentifiedEffect> proven;
+  for (std::size_t i = 0; i < found.effects.size(); ++i) {
+    if (improves(errorsOutside(half, modelWithout(with, i)), errors, found.floor_rad)) {
+      proven.push_back(found.effects[i]);
+      continue;
+    }
+    found.rejected.push_back({found.effects[i].effect, RejectionReason::kNoPredictiveGain});
+    takeOut(*found.effects[i].effect, half.baseline, found.model);
+    found.rivals.clear();  // of the last effect, in the company of all
+  }
+  found.effects = std::move(proven);
+}
+
+/// Misfit of a given model on all logs.
+double misfitOn(const Study& study, const Hypothesis& model) {
+  auto evidence = std::make_shared<const Evidence>(evidenceOf(study.plant, study.data, model));
+  Problem problem{*evidence, model, {}};
+  Fit fit = solve(problem, problem.expected(), {.iterations = 0, .refine = false});
+  const FittedModel given{&study, {}, Nuisance::kFixed, std::move(evidence), std::move(problem), std::move(fit), 0};
+  return misfitOf(given, bootstrapOf(given, nullptr, thresholds::kFewBootstrapRuns));
+}
+
+std::optional<Identification> foundIn(const Study& study, const Logs& logs, const IdentifyOptions& options,
+                                      const Search& search) {
+  const Case part = withFitLogs(study.data, logs);
+  const Study half{part};
+  Identification found = search(half, options);
+  const bool named = found.verdict == Verdict::kNamed || found.verdict == Verdict::kAmbiguous;
+  if (!named || found.remains) return std::nullopt;
+  dropUnproven(half, found);
+  if (found.effects.empty() || worsensHeldOut(study, found.model, found.floor_rad)) return std::nullopt;
+  found.verdict = namedOrAmbiguous(found);
+  found.remains = true;
+  found.misfit = misfitOn(study, found.model);
+  found.gap_before_rad = study.gap_rad;
+  found.gap_after_rad = rmsPositionError(study.plant, study.data, found.model, LogRole::kFit);
+  for (const std::size_t log : logs) found.explained.push_back(study.data.logs[log].file);
+  return found;
+}
+
+}  // namespace
+
+std::optional<Identification> searchInHalves(const Study& study, const IdentifyOptions& options, const Search& search) {
+  const Logs all = inSessionOrder(study);
+  const auto half = static_cast<std::ptrdiff_t>(all.size() / 2);
+  if (half < 3) return std::nullopt;
+  for (const Logs& logs : {Logs(all.begin(), all.begin() + half), Logs(all.end() - half, all.end())})
+    if (std::optional<Identification> found = foundIn(study, logs, options, search)) return found;
+  return std::nullopt;
+}
+
+}  // namespace darwinop::gap
