@@ -4,7 +4,7 @@
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/held_out.hpp"
 #include "gap/plant/position_error.hpp"
-#include "small_case.hpp"
+#include "gap/small_case.hpp"
 
 namespace darwinop::gap {
 namespace {
