@@ -8,7 +8,7 @@ scenario_a_whole_run() {
   start_run --picture 160x120
   await '^driving$'
   expect_said 'connected to darwin@127.0.0.1 \([0-9.]+ s\)$'
-  expect_said 'version [0-9]'
+  expect_said 'version [^ ]+ '
   expect_said "$msg_pose_ok"
   expect_said "$msg_ready \([0-9.]+ s\)$"
   grep -qa -e '--port.0.2.2' "/proc/$(pgrep -x darwinop-remote)/cmdline" || fail "the picture size was not passed on"
