@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gap/fit/jacobian.hpp"
+#include "gap/plant/baseline_alias.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -134,6 +135,23 @@ FittedModel refit(const FittedModel& from, const Effects& effects, int rounds) {
 
 FittedModel refitWithout(const FittedModel& fitted, std::size_t i, bool jacobian) {
   return refitUnderNoiseOf(without(fitted.effects, i), fitted.nuisance, fitted.problem, fitted.fit, fitted, jacobian);
+}
+
+void takeOut(const twin::EffectInfo& effect, const Hypothesis& baseline, Hypothesis& model) {
+  std::erase_if(model.effects, [&](const PlacedEffect& one) { return one.info == &effect; });
+  for (const PlacedEffect& one : baseline.effects)
+    if (one.info == &effect) model.with(effect, one.place).values = one.values;
+}
+
+Hypothesis modelWithout(const FittedModel& fitted, std::size_t i) {
+  const twin::EffectInfo& effect = *fitted.effects[i].info;
+  const Study& study = *fitted.study;
+  Hypothesis model = fitted.hypothesis();
+  if (!aliasesAPrior(study.data, effect) ||
+      priorSigmasMoved(study.data, study.baseline, model, effect) < thresholds::kPriorConflictSigmas)
+    return refitWithout(fitted, i).hypothesis();
+  takeOut(effect, study.baseline, model);
+  return model;
 }
 
 }  // namespace darwinop::gap

@@ -45,5 +45,10 @@ FittedModel refitUnderNoiseOf(const Effects& effects, Nuisance nuisance, const P
                               const FittedModel& reference, bool jacobian = false);
 /// `fitted` without its effect `i`, under the same noise.
 FittedModel refitWithout(const FittedModel& fitted, std::size_t i, bool jacobian = false);
+/// The model without its effect `i`: every number that is free is fitted again to make up for it. A number that the
+/// effect stands for is as the baseline has it, if the effect moves it beyond what its prior explains.
+Hypothesis modelWithout(const FittedModel& fitted, std::size_t i);
+/// Takes the effect out of the model: as the baseline has it, or not at all.
+void takeOut(const twin::EffectInfo& effect, const Hypothesis& baseline, Hypothesis& model);
 
 }  // namespace darwinop::gap

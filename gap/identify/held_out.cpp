@@ -10,8 +10,8 @@
 namespace darwinop::gap {
 namespace {
 
-double heldOutError(const FittedModel& fitted) {
-  return rmsPositionError(fitted.study->plant, fitted.study->data, fitted.hypothesis(), LogRole::kHeldOut);
+double heldOutError(const Study& study, const Hypothesis& model) {
+  return rmsPositionError(study.plant, study.data, model, LogRole::kHeldOut);
 }
 
 /// Rms position error that noise alone produces on the held-out logs, rad. NaN: there are none.
@@ -31,11 +31,13 @@ bool worsensHeldOut(const Study& study, const Hypothesis& model, double floor_ra
 }
 
 bool predictsHeldOut(const FittedModel& fitted) {
+  const Study& study = *fitted.study;
   const FittedModel free = withFreeNuisance(fitted);
-  const double after = heldOutError(fitted), most = thresholds::kLeastGapFloors * heldOutFloor(fitted);
+  const double after = heldOutError(study, fitted.hypothesis()),
+               most = thresholds::kLeastGapFloors * heldOutFloor(fitted);
   if (fitted.effects.empty() || !(after < most)) return false;
   for (std::size_t i = 0; i < fitted.effects.size(); ++i) {
-    const double without_it = heldOutError(refitWithout(free, i));
+    const double without_it = heldOutError(study, modelWithout(free, i));
     if (without_it < most || without_it < thresholds::kHeldOutHelp * after) return false;
   }
   return true;

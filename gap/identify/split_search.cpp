@@ -7,7 +7,6 @@
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/cross_validation.hpp"
 #include "gap/identify/held_out.hpp"
-#include "gap/plant/baseline_alias.hpp"
 #include "gap/plant/position_error.hpp"
 
 namespace darwinop::gap {
@@ -55,23 +54,6 @@ std::vector<double> errorsOutside(const Study& study, const Hypothesis& model) {
     one.logs[i].held_out = true;
   }
   return errors;
-}
-
-/// Takes the effect out of the model: as the baseline has it, or not at all.
-void takeOut(const twin::EffectInfo& effect, const Hypothesis& baseline, Hypothesis& model) {
-  std::erase_if(model.effects, [&](const PlacedEffect& one) { return one.info == &effect; });
-  for (const PlacedEffect& one : baseline.effects)
-    if (one.info == &effect) model.with(effect, one.place).values = one.values;
-}
-
-/// The model without its effect `i`: every number of the baseline is fitted again to make up for it, except one that
-/// the effect itself stands for, which is as it was given.
-Hypothesis modelWithout(const FittedModel& fitted, std::size_t i) {
-  const twin::EffectInfo& effect = *fitted.effects[i].info;
-  if (!aliasesAPrior(fitted.study->data, effect)) return refitWithout(fitted, i).hypothesis();
-  Hypothesis model = fitted.hypothesis();
-  takeOut(effect, fitted.study->baseline, model);
-  return model;
 }
 
 /// On most logs the error is smaller with the effect, and on none larger by more than noise.

@@ -58,5 +58,14 @@ TEST(Remainder, HeldOutLogsVouchForEachEffectThatTheyNeed) {
   EXPECT_FALSE(predictsHeldOut(fittedAt(nothing_held_out, {{"coulomb", 0.06}})));
 }
 
+// Without the effect, the number of the baseline itself would take its value, however improbable that is.
+TEST(Remainder, AnEffectBeyondThePriorOfItsNumberIsNeeded) {
+  Case bench = smallBench();
+  bench.priors.push_back({"viscous.damping", 0.1});
+  const Case given = measured(bench, withEffect(bench, "viscous", "damping", 0.06), 41);
+  const Study study{given};
+  EXPECT_TRUE(predictsHeldOut(fittedAt(study, {{"viscous", 0.06}})));
+}
+
 }  // namespace
 }  // namespace darwinop::gap
