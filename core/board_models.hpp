@@ -13,7 +13,7 @@ struct BoardModel {
   std::uint16_t number;  // register 0
   std::string_view name, robot;
   std::string_view registers, power, absent;  // for docs/registers.md
-  std::string_view unconfirmed;               // facts that nobody has confirmed on hardware; empty: none
+  std::string_view unconfirmed;               // facts not confirmed on hardware; empty: none
 };
 
 // Source: the vendor's framework, which drives both boards with the same class. A board with another number needs
@@ -25,7 +25,7 @@ inline constexpr auto kBoardModels = std::to_array<BoardModel>({
 });
 
 /// Servos on a USB2Dynamixel or U2D2. Not driven yet: nothing answers for the robot as a whole, so a lost supply looks
-/// like a lost line, and nobody can release the robot with a button.
+/// like a lost line, and no button releases the robot.
 inline constexpr BoardModel kNoBoard{0,
                                      "none",
                                      "servos on a USB2Dynamixel or U2D2",

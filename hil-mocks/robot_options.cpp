@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/board_models.hpp"
+#include "core/text/letter_case.hpp"
 
 namespace darwinop::hil {
 namespace {
@@ -56,9 +57,8 @@ bool setNumber(ServoOptions& servo, std::string_view setting) {
 
 /// "cm-740"; null: there is none of this name.
 const BoardModel* boardCalled(std::string_view name) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   for (const BoardModel& model : kBoardModels)
-    if (std::ranges::equal(name, model.name, {}, lower, lower)) return &model;
+    if (text::lowered(model.name) == text::lowered(name)) return &model;
   return nullptr;
 }
 

@@ -16,6 +16,7 @@
 #include "core/units.hpp"
 #include "experiments/logs/read_log.hpp"
 #include "gap/case/body/parse_body_case.hpp"
+#include "support/replaced.hpp"
 
 namespace darwinop::gap {
 
@@ -131,20 +132,13 @@ struct BodyTexts {
   }
   [[nodiscard]] BodyTexts with(const std::string& what, const std::string& by) const {
     BodyTexts changed = *this;
-    changed.json = swapped(json, what, by);
+    changed.json = replaced(json, what, by);
     return changed;
   }
   [[nodiscard]] BodyTexts withLog(const std::string& log, const std::string& what, const std::string& by) const {
     BodyTexts changed = *this;
-    changed.logs[log] = swapped(logs.at(log), what, by);
+    changed.logs[log] = replaced(logs.at(log), what, by);
     return changed;
-  }
-
- private:
-  static std::string swapped(std::string text, const std::string& what, const std::string& by) {
-    const std::size_t at = text.find(what);
-    if (at == std::string::npos) throw std::logic_error("the test's text has no " + what);
-    return text.replace(at, what.size(), by);
   }
 };
 

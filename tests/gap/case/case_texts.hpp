@@ -12,6 +12,7 @@
 #include "core/units.hpp"
 #include "experiments/logs/read_log.hpp"
 #include "gap/case/parse_case.hpp"
+#include "support/replaced.hpp"
 
 namespace darwinop::gap {
 
@@ -49,12 +50,6 @@ inline std::string csvOf(
     text.append(line, static_cast<std::size_t>(length));
   }
   return text;
-}
-
-inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  if (at == std::string::npos) throw std::logic_error("the test's text has no " + what);
-  return text.replace(at, what.size(), by);
 }
 
 inline const std::string kVoltageCase = R"({
