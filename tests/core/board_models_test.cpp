@@ -8,7 +8,7 @@
 namespace darwinop {
 namespace {
 
-TEST(BoardModels, WhatNobodyConfirmedSaysSo) {
+TEST(BoardModels, FactsOfTheCm730AloneAreConfirmed) {
   for (const BoardModel& model : kBoardModels)
     EXPECT_EQ(model.unconfirmed.empty(), model.name == "CM-730") << model.name;
 }
