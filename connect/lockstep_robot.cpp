@@ -55,7 +55,8 @@ class LineClock final : public runtime::Clock {
 
 }  // namespace
 
-std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& config, std::unique_ptr<Body> body) {
+std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& config, std::unique_ptr<Body> body,
+                                                  const Calibration& calibration) {
   hil::BoardOptions options;
   if (body) options.body_step = hil::kPhysicsStep;
   auto line = std::make_unique<VirtualLine>(options, std::move(body));
@@ -65,7 +66,9 @@ std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& con
     if (camera == nullptr) return nullptr;
     return std::make_unique<LockstepCamera>(std::move(camera));
   };
-  auto bus = std::make_unique<OwnedBus<VirtualLine>>(std::move(line), cm730::BusConfig::forPeriod(config.period));
+  cm730::BusConfig bus_config = cm730::BusConfig::forPeriod(config.period, calibration.offsets);
+  bus_config.imu = cm730::ImuCorrection{calibration.imu};
+  auto bus = std::make_unique<OwnedBus<VirtualLine>>(std::move(line), bus_config);
   return std::make_unique<runtime::LockstepLink>(config, std::move(bus), std::move(clock), open_camera);
 }
 

@@ -7,6 +7,8 @@ namespace darwinop::connect::messages {
 inline constexpr const char* kNoRobotFile = "no robot.ini: port, limits and offsets are as on a stock robot";
 inline constexpr const char* kNoJointLeft = "a robot without any joint cannot be driven";
 inline constexpr const char* kNoSuchServoModel = "give models with commas between, or nothing; there are ";
+inline constexpr const char* kNoSuchImuKey = "no such key; there are gyro_bias, accel_bias, accel_scale and mounting";
+inline constexpr const char* kImuIsCalibrated = ", inertial sensor calibrated";
 inline constexpr const char* kGivenTwice = " is there a second time; keep one of the two";  // after the key
 
 // Start-up check; after the port, before the findings.

@@ -94,6 +94,7 @@ class LibraryBody final : public Body {
   void step(Nanos dt, const Drives& drives) noexcept override { library_.step(body_, dt.count(), drives.data()); }
   [[nodiscard]] const BodyState& state() const noexcept override { return *library_.state(body_); }
   [[nodiscard]] const char* error() const noexcept override { return library_.error(body_); }
+  bool clamp(const std::array<double, 3>& up) noexcept override { return library_.clamp(body_, up.data()); }
   [[nodiscard]] std::unique_ptr<BodyCamera> openCamera(int width, int height) override {
     return std::make_unique<LibraryCamera>(library_, orThrow([&](char* error, std::size_t size) {
                                              return library_.open_camera(body_, width, height, error, size);

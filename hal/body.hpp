@@ -60,6 +60,9 @@ class Body {
   [[nodiscard]] virtual const BodyState& state() const noexcept = 0;
   /// Why the simulation has stopped; null: no error. After an error the state is the last valid one.
   [[nodiscard]] virtual const char* error() const noexcept { return nullptr; }
+  /// Clamps the trunk in the air, at rest, with this direction up (unit vector: left, up, forward of the trunk). Joints
+  /// keep their angles. False: this body has no trunk to clamp.
+  virtual bool clamp(const std::array<double, 3>& /*up*/) noexcept { return false; }
   /// A camera with this picture size; null: the body has none. The body may step during this call; slow initialization
   /// is deferred to the first picture. Throws std::runtime_error if the size is out of range.
   [[nodiscard]] virtual std::unique_ptr<BodyCamera> openCamera(int /*width*/, int /*height*/) { return nullptr; }

@@ -29,7 +29,8 @@ struct BodyLibrary {
   void* (*make)(const char* model, std::uint64_t seed, char* error, std::size_t size);
   void (*step)(void* body, std::int64_t dt_ns, const ServoDrive* drives);  // array of kJoints
   const BodyState* (*state)(const void* body);
-  const char* (*error)(const void* body);  // as Body::error()
+  const char* (*error)(const void* body);       // as Body::error()
+  bool (*clamp)(void* body, const double* up);  // as Body::clamp()
   void (*end)(void* body);
   // Camera, as in hal/body.hpp. Null on failure, as with make().
   void* (*open_camera)(void* body, int width, int height, char* error, std::size_t size);
@@ -42,7 +43,7 @@ using BodyLibraryEntry = const BodyLibrary* (*)();
 /// Differs between incompatible builds: release, an interface number (increase it when a meaning changes), and the
 /// sizes of the shared types.
 inline std::string bodyLibraryVersion(const char* release) {
-  constexpr int kMeaning = 5;
+  constexpr int kMeaning = 6;
   std::string text = std::string{release} + ", interface";
   for (const std::size_t part :
        {std::size_t{kMeaning}, kJoints, sizeof(ServoDrive), sizeof(BodyState), sizeof(BodyPicture)})

@@ -33,6 +33,10 @@ const char* error(const void* /*body*/) {
   return nullptr;
 }
 
+bool clamp(void* /*body*/, const double* /*up*/) {
+  return false;
+}
+
 void end(void* body) {
   delete static_cast<BodyState*>(body);
 }
@@ -70,7 +74,7 @@ void closeCamera(void* camera) {
 
 extern "C" const darwinop::BodyLibrary* TWIN_ENTRY() {
   static const std::string version = darwinop::bodyLibraryVersion(TWIN_VERSION);
-  static const darwinop::BodyLibrary library{version.c_str(), make, step,   state,      error, end,
+  static const darwinop::BodyLibrary library{version.c_str(), make, step,   state,      error, clamp, end,
                                              openCamera,      look, newest, closeCamera};
   return &library;
 }

@@ -43,7 +43,7 @@ Bench::Bench(const ServoParameters& parameters, std::vector<std::unique_ptr<Effe
 void Bench::reset(const BenchOptions& options) {
   if (options.steps_per_period < 1)
     throw std::runtime_error("bench: " + std::to_string(options.steps_per_period) + " " + kTooFewSteps);
-  servo_.reset(options.start_rad, options.session_time_s);
+  servo_.reset(options.start_rad, options.goal_rad.value_or(options.start_rad), options.session_time_s);
   position_ = options.start_rad;
   velocity_ = options.start_rad_s;
   last_velocity_change_ = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/units.hpp"
@@ -28,6 +29,7 @@ struct BenchOptions {
                              // motor takes to reach its speed
   double start_rad = 0;
   double start_rad_s = 0;
+  std::optional<double> goal_rad = {};  // where the servo's goal has been; none: start_rad
   double session_time_s = 0;
 };
 

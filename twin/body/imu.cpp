@@ -32,8 +32,9 @@ double distorted(double value, double scale, double bias, double noise, double r
 Imu::Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed)
     : settings_{settings}, seed_{seed}, qpos_{map.trunk_qpos}, dof_{map.trunk_dof} {
   mju_copy3(site_, m.site_pos + 3 * map.accelerometer);
-  mju_negQuat(gyro_axes_, m.site_quat + 4 * map.gyro);
-  mju_negQuat(accel_axes_, m.site_quat + 4 * map.accelerometer);
+  mju_negQuat(gyro_axes_, mountedAt(m.site_quat + 4 * map.gyro, settings).data());
+  mju_negQuat(accel_axes_, mountedAt(m.site_quat + 4 * map.accelerometer, settings).data());
+  for (std::size_t i = 0; i < 3; ++i) read_[i] = readAxis(settings.accel_axes[i]);
 }
 
 void Imu::siteVelocity(const mjData& d, mjtNum* velocity) const noexcept {
@@ -77,8 +78,8 @@ Imu::Axes Imu::accelerometer(const mjModel& m, const mjData& d, std::uint64_t sa
   Axes out{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double noise = settings_.accel_noise_m_s2 > 0 ? settings_.accel_noise_m_s2 * normal(seed_, sample, 4 + i) : 0;
-    out[i] =
-        distorted(sensed[i], settings_.accel_scale[i], settings_.accel_bias_m_s2[i], noise, settings_.accel_range_m_s2);
+    out[i] = distorted(read_[i].sign * sensed[read_[i].index], settings_.accel_scale[i], settings_.accel_bias_m_s2[i],
+                       noise, settings_.accel_range_m_s2);
   }
   return out;
 }

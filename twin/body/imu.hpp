@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "twin/body/imu_axes.hpp"
 #include "twin/body/mujoco_model.hpp"
 
 namespace darwinop::twin {
@@ -34,6 +35,7 @@ class Imu {
   int qpos_, dof_;
   mjtNum site_[3];                                  // accelerometer, in the trunk frame
   mjtNum gyro_axes_[4], accel_axes_[4];             // rotate trunk vectors into sensor axes
+  std::array<ReadAxis, 3> read_{};                  // accelerometer: true axes that are read as x, y, z
   mjtNum velocity_[3] = {}, acceleration_[3] = {};  // of the site, in the world frame
 };
 

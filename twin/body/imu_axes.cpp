@@ -2,14 +2,18 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "twin/body/mujoco_model.hpp"
 
 namespace darwinop::twin {
 namespace {
 
-MountingMatrix mountingOf(const mjModel& m, int site) {
-  mjtNum columns[9];  // row-major, its columns are the site's axes
-  mju_quat2Mat(columns, m.site_quat + 4 * site);
+MountingMatrix mountingOf(const mjModel& m, int site, const ImuSettings& settings) {
+  const MountingQuaternion mounted = mountedAt(m.site_quat + 4 * site, settings);
+  mjtNum columns[9];  // row-major, its columns are the sensor's axes
+  mju_quat2Mat(columns, mounted.data());
   MountingMatrix rows{};
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t k = 0; k < 3; ++k) rows[axis][k] = columns[3 * k + axis];
@@ -18,11 +22,31 @@ MountingMatrix mountingOf(const mjModel& m, int site) {
 
 }  // namespace
 
+MountingQuaternion mountedAt(const double* site, const ImuSettings& settings) noexcept {
+  mjtNum axis[3] = {settings.mounting_rad[0], settings.mounting_rad[1], settings.mounting_rad[2]}, board[4];
+  const mjtNum angle = mju_normalize3(axis);
+  mju_axisAngle2Quat(board, axis, angle);
+  MountingQuaternion out{};
+  mju_mulQuat(out.data(), board, site);
+  return out;
+}
+
+ReadAxis readAxis(double axis) noexcept {
+  const long number = std::clamp(std::lround(std::abs(axis)), 1L, 3L);
+  return {static_cast<std::size_t>(number - 1), axis < 0 ? -1.0 : 1.0};
+}
+
 ImuAxes imuAxesOf(const Model& model) {
   const MjModelPtr body = loadBody(model, /*ball=*/false);
   const BodyMap map = mapBody(*body, model.body.xml);
-  return {.gyro = mountingOf(*body, map.gyro),
-          .accelerometer = mountingOf(*body, map.accelerometer),
+  const MountingMatrix sensor = mountingOf(*body, map.accelerometer, model.imu);
+  MountingMatrix accelerometer{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ReadAxis read = readAxis(model.imu.accel_axes[i]);
+    for (std::size_t k = 0; k < 3; ++k) accelerometer[i][k] = read.sign * sensor[read.index][k];
+  }
+  return {.gyro = mountingOf(*body, map.gyro, model.imu),
+          .accelerometer = accelerometer,
           .gravity_m_s2 = mju_norm3(body->opt.gravity)};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "twin/model/model.hpp"
 
@@ -9,6 +10,18 @@ namespace darwinop::twin {
 
 /// Rows: the sensor's x, y and z in the trunk's frame (left, up, forward).
 using MountingMatrix = std::array<std::array<double, 3>, 3>;
+
+/// w x y z.
+using MountingQuaternion = std::array<double, 4>;
+/// Orientation in the trunk's frame of a sensor at this site of the body, with the mounting of its board.
+MountingQuaternion mountedAt(const double* site, const ImuSettings& settings) noexcept;
+
+/// One number of ImuSettings::accel_axes.
+struct ReadAxis {
+  std::size_t index;  // of the sensor's true axis
+  double sign;
+};
+ReadAxis readAxis(double axis) noexcept;
 
 struct ImuAxes {
   MountingMatrix gyro{}, accelerometer{};

@@ -47,8 +47,7 @@ double lowestPoint(const mjModel& m, const mjData& d, int trunk) {
   return lowest;
 }
 
-void placeOnFloor(const mjModel& m, mjData& d, const BodyMap& map, const std::array<double, kJoints>& angles_rad,
-                  double pitch_rad) {
+void bringToRest(const mjModel& m, mjData& d, const BodyMap& map, const std::array<double, kJoints>& angles_rad) {
   mju_zero(d.qvel + map.trunk_dof, 6);
   for (std::size_t i = 0; i < kJoints; ++i) {
     d.qpos[map.qpos[i]] = angles_rad[i];
@@ -57,6 +56,11 @@ void placeOnFloor(const mjModel& m, mjData& d, const BodyMap& map, const std::ar
   mju_zero(d.qacc_warmstart, m.nv);
   mju_zero(d.qfrc_applied, m.nv);
   mju_zero(d.xfrc_applied, 6 * m.nbody);
+}
+
+void placeOnFloor(const mjModel& m, mjData& d, const BodyMap& map, const std::array<double, kJoints>& angles_rad,
+                  double pitch_rad) {
+  bringToRest(m, d, map, angles_rad);
   mju_zero3(d.qpos + map.trunk_qpos);
   // Trunk axes x, y, z are left, up, forward; a rotation about the world's y (left) pitches it forward.
   const mjtNum axes[4] = {0.5, 0.5, 0.5, 0.5};

@@ -12,6 +12,9 @@ namespace darwinop::twin {
 /// The start pose of core/joints.hpp, rad.
 std::array<double, kJoints> startPose();
 
+/// Joint angles, rad; no speeds, no forces from outside. The trunk stays where it is; the ball is not touched.
+void bringToRest(const mjModel& m, mjData& d, const BodyMap& map, const std::array<double, kJoints>& angles_rad);
+
 /// Trunk above the world's origin, pitched forward by `pitch_rad`, lowest collision geom at floor height, velocities 0.
 /// The ball is not moved.
 void placeOnFloor(const mjModel& m, mjData& d, const BodyMap& map, const std::array<double, kJoints>& angles_rad,

@@ -51,6 +51,10 @@ const BodyState& RobotBody::state() const noexcept {
   return parts_->state;
 }
 
+bool RobotBody::clamp(const std::array<double, 3>& up) noexcept {
+  return parts_->clampAt(up);
+}
+
 void RobotBody::place(const std::array<double, kJoints>& angles_rad, double lean_rad) {
   parts_->placeAt(angles_rad, lean_rad);
 }

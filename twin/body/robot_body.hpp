@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "hal/body.hpp"
+#include "twin/body/clamp.hpp"
 #include "twin/model/model.hpp"
 
 struct mjModel_;
@@ -24,6 +25,7 @@ struct RobotBodyOptions {
   std::uint64_t seed = 1;  // of noise; runs with the same seed are identical
   Ball ball = Ball::kRests;
   std::optional<BallColour> ball_colour = {};  // empty: that of the body file
+  std::optional<ClampedUp> clamped_up = {};    // the trunk is held in a stand; empty: it is free
 };
 
 /// DARWINOP_TWIN_BALL: none, rests (default), circles. Throws std::runtime_error for any other value.
@@ -33,8 +35,8 @@ Ball ballFromEnvironment();
 /// for any other value.
 std::optional<BallColour> ballColourFromEnvironment();
 
-/// Begins in the start pose, kneeling on the floor, at rest. The constructor throws std::runtime_error if MuJoCo cannot
-/// load the body. Not thread-safe; step() allocates nothing.
+/// Begins in the start pose, kneeling on the floor or in the stand, at rest. The constructor throws std::runtime_error
+/// if MuJoCo cannot load the body. Not thread-safe; step() allocates nothing.
 class RobotBody final : public Body {
  public:
   explicit RobotBody(const Model& model, const RobotBodyOptions& options = {});
@@ -45,8 +47,11 @@ class RobotBody final : public Body {
   [[nodiscard]] const BodyState& state() const noexcept override;
   [[nodiscard]] const char* error() const noexcept override;
 
-  /// Places the robot on the floor with these joint angles (rad), at rest. The trunk pitches forward by `lean_rad`. The
-  /// ball is not moved.
+  /// In a stand from now on, whatever the options were.
+  bool clamp(const std::array<double, 3>& up) noexcept override;
+
+  /// Places the robot on the floor with these joint angles (rad), at rest. The trunk pitches forward by `lean_rad`; in
+  /// a stand it stays as it is. The ball is not moved.
   void place(const std::array<double, kJoints>& angles_rad, double lean_rad = 0);
   /// Applies a force to the trunk, N, in world axes: x forward, y left, z up at the start.
   void push(const std::array<double, 3>& force_n, Nanos duration) noexcept;

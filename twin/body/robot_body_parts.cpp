@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 
 #include "twin/body/ball.hpp"
 #include "twin/body/placing.hpp"
@@ -44,9 +45,11 @@ RobotBody::Parts::Parts(const Model& requested, const RobotBodyOptions& options)
       torques{*m, map, servos, model.body.hold_until_driven},
       d{dataFor(*m, model.body.xml)},
       imu{*m, map, model.imu, options.seed},
+      clamped_up{options.clamped_up},
       ball_circles{options.ball == Ball::kCircles},
       step_ns{nanosOf(model.body.step_s)},
       firmware_ns{nanosOf(model.servo.firmware_period_s)} {
+  if (clamped_up) clampTrunk(*m, map);
   if (options.ball_colour) paintBall(*m, *options.ball_colour);
 }
 
@@ -72,6 +75,7 @@ void RobotBody::Parts::physicsStep(const Drives& drives) noexcept {
       servos[i].firmware(drives[i], torques.encoderRad(servos[i], i, data.qpos[map.qpos[i]]), data.qvel[map.dof[i]]);
   if (ball_circles) moveBallOnCircle(data, map, static_cast<double>(now_ns) * 1e-9);
   torques.step(*m, data, map, servos);
+  if (clamped_up) holdInStand(data, map, *clamped_up);
   now_ns += step_ns;
   ++samples;
   imu.update(*m, data);
@@ -79,14 +83,32 @@ void RobotBody::Parts::physicsStep(const Drives& drives) noexcept {
 }
 
 void RobotBody::Parts::placeAt(const std::array<double, kJoints>& angles_rad, double lean_rad, double settle_s) {
-  placeOnFloor(*m, *d, map, angles_rad, lean_rad);
-  settleOnFloor(*m, *d, map, settle_s);
+  if (clamped_up) {
+    placeInStand(*m, *d, map, angles_rad, *clamped_up);
+  } else {
+    placeOnFloor(*m, *d, map, angles_rad, lean_rad);
+    settleOnFloor(*m, *d, map, settle_s);
+  }
   for (std::size_t i = 0; i < kJoints; ++i) servos[i].reset(angles_rad[i]);
   torques.reset(*d, map);
   imu.reset(*d);
   pending_ns = push_until_ns = 0;
   next_firmware_ns = now_ns;
   publish();
+}
+
+bool RobotBody::Parts::clampAt(const ClampedUp& up) noexcept {
+  try {
+    if (!clamped_up) clampTrunk(*m, map);
+  } catch (const std::exception&) {
+    return false;  // MuJoCo refused the changed model
+  }
+  clamped_up = up;
+  holdInStand(*d, map, up);
+  mj_kinematics(m.get(), d.get());
+  imu.reset(*d);
+  publish();
+  return true;
 }
 
 void RobotBody::Parts::publish() noexcept {

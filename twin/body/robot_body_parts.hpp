@@ -17,6 +17,7 @@ struct RobotBody::Parts {
 
   void physicsStep(const Drives& drives) noexcept;
   void placeAt(const std::array<double, kJoints>& angles_rad, double lean_rad, double settle_s = 0);
+  bool clampAt(const ClampedUp& up) noexcept;
   void publish() noexcept;
   void checkWarnings() noexcept;
   void stopSimulation(const char* why) noexcept;
@@ -28,6 +29,7 @@ struct RobotBody::Parts {
   JointTorques torques;
   MjDataPtr d;
   Imu imu;
+  std::optional<ClampedUp> clamped_up;
   bool ball_circles;
   std::int64_t step_ns, firmware_ns;
   std::int64_t now_ns = 0, next_firmware_ns = 0, pending_ns = 0, push_until_ns = 0;

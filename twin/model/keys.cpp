@@ -100,12 +100,19 @@ constexpr KeyRow kTable[] = {
     {"body", "contact_time", ofBody<&B::contact_time_s>, {"s", 1e-4, 0.5}, {}, "at least two steps"},
     {"body", "step", ofBody<&B::step_s>, {"s", 5e-5, 0.01}, {}, "of the physics"},
 
-    {"imu", "gyro_range", ofImu<&I::gyro_range_rad_s>, {"rad/s", 1, 100}, {}, "saturates there"},
+    {"imu", "gyro_range", ofImu<&I::gyro_range_rad_s>, {"rad/s", 0.05, 100}, {}, "saturates there"},
     {"imu", "accel_range", ofImu<&I::accel_range_m_s2>, {"m/s2", 1, 1000}, {}, "saturates there"},
     {"imu", "gyro_bias", ofImu<&I::gyro_bias_rad_s>, {"rad/s", -1, 1}, {}, "x, y, z"},
     {"imu", "accel_bias", ofImu<&I::accel_bias_m_s2>, {"m/s2", -10, 10}, {}, "x, y, z"},
     {"imu", "gyro_scale", ofImu<&I::gyro_scale>, {"", -2, 2}, {}, "x, y, z; -1 mirrors an axis"},
     {"imu", "accel_scale", ofImu<&I::accel_scale>, {"", -2, 2}, {}, "x, y, z; -1 mirrors an axis"},
+    {"imu", "mounting", ofImu<&I::mounting_rad>, {"rad", -4, 4}, {}, "rotation vector of the board: left, up, forward"},
+    {"imu",
+     "accel_axes",
+     ofImu<&I::accel_axes>,
+     {"", -3, 3},
+     {},
+     "true axis read as x, y, z: 1 to 3; minus mirrors it"},
     {"imu", "gyro_noise", ofImu<&I::gyro_noise_rad_s>, {"rad/s", 0, 1}, {}, "standard deviation per 1 ms sample"},
     {"imu", "accel_noise", ofImu<&I::accel_noise_m_s2>, {"m/s2", 0, 10}, {}, "standard deviation per 1 ms sample"},
 };
@@ -153,7 +160,10 @@ std::vector<std::string_view> keysOf(std::string_view section) {
 }
 
 NumberRule ruleOf(const Parameter& parameter) {
-  return {parameter.unit, parameter.low, parameter.high};
+  // Ranges of torques are those of an MX-28; other servos have up to ten times as much, or as little.
+  constexpr double kOtherServos = 10;
+  const bool of_torque = parameter.unit == "N m" || parameter.unit == "N m s/rad" || parameter.unit == "1/(N m)";
+  return {parameter.unit, parameter.low, (of_torque ? kOtherServos : 1) * parameter.high};
 }
 
 }  // namespace darwinop::twin

@@ -41,6 +41,8 @@ struct ImuSettings {
   double gyro_range_rad_s = 34.907, accel_range_m_s2 = 39.24;
   std::array<double, 3> gyro_bias_rad_s{}, accel_bias_m_s2{};
   std::array<double, 3> gyro_scale{1, 1, 1}, accel_scale{1, 1, 1};  // -1 mirrors an axis
+  std::array<double, 3> mounting_rad{};                             // rotation vector of the board in the trunk's frame
+  std::array<double, 3> accel_axes{1, 2, 3};                        // true axis that is read as x, y, z, with its sign
   double gyro_noise_rad_s = 0, accel_noise_m_s2 = 0;                // standard deviation per sample of 1 ms
 };
 

@@ -36,8 +36,10 @@ void* orError(char* error, std::size_t size, Make&& make) {
 void* make(const char* model, std::uint64_t seed, char* error, std::size_t size) {
   return orError(error, size, [&] {
     const std::string name = *model == '\0' ? kDefaultModel : model;
-    const RobotBodyOptions options{
-        .seed = seed, .ball = ballFromEnvironment(), .ball_colour = ballColourFromEnvironment()};
+    const RobotBodyOptions options{.seed = seed,
+                                   .ball = ballFromEnvironment(),
+                                   .ball_colour = ballColourFromEnvironment(),
+                                   .clamped_up = clampFromEnvironment()};
     return std::make_unique<RobotBody>(readModel(findModel(name)), options).release();
   });
 }
@@ -54,6 +56,10 @@ const BodyState* state(const void* body) {
 
 const char* error(const void* body) {
   return static_cast<const RobotBody*>(body)->error();
+}
+
+bool clamp(void* body, const double* up) {
+  return static_cast<RobotBody*>(body)->clamp({up[0], up[1], up[2]});
 }
 
 void end(void* body) {
@@ -91,6 +97,7 @@ extern "C" const darwinop::BodyLibrary* darwinop_body_library() {
                                              .step = darwinop::twin::step,
                                              .state = darwinop::twin::state,
                                              .error = darwinop::twin::error,
+                                             .clamp = darwinop::twin::clamp,
                                              .end = darwinop::twin::end,
                                              .open_camera = darwinop::twin::openCamera,
                                              .look = darwinop::twin::look,

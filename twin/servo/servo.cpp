@@ -45,11 +45,11 @@ Servo::Servo(const ServoParameters& parameters, std::vector<std::unique_ptr<Effe
   reset(0);
 }
 
-void Servo::reset(double position_rad, double session_time_s) {
+void Servo::reset(double position_rad, double goal_rad, double session_time_s) {
   signals_ = {};
   signals_.session_time_s = session_time_s;
-  signals_.position_rad = signals_.goal_rad = signals_.set_point_rad = position_rad;
-  signals_.measured_rad = position_rad;
+  signals_.position_rad = signals_.measured_rad = position_rad;
+  signals_.goal_rad = signals_.set_point_rad = goal_rad;
   signals_.law = parameters_.law;
   signals_.temperature_c = parameters_.ambient_c;
   signals_.supply_v = parameters_.supply_v;

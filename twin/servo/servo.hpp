@@ -32,7 +32,9 @@ class Servo {
   Servo(const ServoParameters& parameters, std::vector<std::unique_ptr<Effect>> effects);
 
   /// Initial state: at rest at `position_rad`, goal equal to it, torque off, history cleared.
-  void reset(double position_rad, double session_time_s = 0);
+  void reset(double position_rad, double session_time_s = 0) { reset(position_rad, position_rad, session_time_s); }
+  /// The same with another goal, at which profile and delays have arrived.
+  void reset(double position_rad, double goal_rad, double session_time_s);
 
   /// One firmware period: reads command and encoder, sets the duty. `position_rad` at the encoder; with an elastic
   /// transmission see Transmission::encoderRad().
