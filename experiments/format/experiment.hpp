@@ -29,7 +29,18 @@ const Pose& startPose();
 struct Moved {
   Joint joint{};
   double sign = 1;  // -1: mirrored, "-AnkleL"
+  bool operator==(const Moved&) const = default;
 };
+
+/// `joints = all`.
+inline constexpr std::string_view kAllJoints = "all";
+/// What a phase moves with it: left joints are mirrored.
+inline std::vector<Moved> allMoved() {
+  std::vector<Moved> out;
+  for (std::size_t i = 0; i < kJoints; ++i)
+    out.push_back({static_cast<Joint>(i), kJointTable[i].name.ends_with('L') ? -1.0 : 1.0});
+  return out;
+}
 
 /// Trajectory of the goal in a phase.
 enum class Shape : std::uint8_t { kHold, kStep, kSteps, kRamp, kMove, kTriangle, kSine, kChirp, kMultisine };
@@ -84,6 +95,7 @@ struct ExperimentSetup {
   const NamedPose* named = nullptr;
   Pose pose{};  // named pose with the joints set in the file
   double duration_s = 0, settle_s = 0;
+  bool is_clamped = false;  // the trunk is held in a stand: the robot cannot fall, however it is turned
 };
 
 /// The phases with one value of the sweep.

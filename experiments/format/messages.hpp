@@ -11,6 +11,7 @@ inline constexpr const char* kPhaseNeedsName = "a phase needs a name";
 inline constexpr const char* kSweepUnused = "no phase uses these values";
 
 // whether the robot falls
+inline constexpr const char* kClamped = "no: its trunk is clamped in a stand, and all limbs are free in the air";
 inline constexpr const char* kFalls = "YES: the robot falls at the end. Use a soft floor and catch it";
 inline constexpr const char* kFallsInList = ", falls at the end";
 inline constexpr const char* kLegsMayMove =

@@ -85,6 +85,10 @@ class PhaseReader {
   }
 
   void readJoints(std::string_view text) {
+    if (text == kAllJoints) {
+      phase_.joints = allMoved();
+      return;
+    }
     for (std::string_view name : splitList(text)) {
       const bool mirrored = name.starts_with('-');
       const Joint joint = jointNamed(mirrored ? name.substr(1) : name);

@@ -58,7 +58,8 @@ class Planner {
 
   void planSetup() {
     const ExperimentSetup& setup = experiment_.setup;
-    plan_.on_feet = setup.named->on_feet;
+    plan_.is_clamped = setup.is_clamped;
+    plan_.on_feet = setup.named->on_feet && !setup.is_clamped;
     plan_.setup_s = setup.duration_s + setup.settle_s;
     for (std::size_t i = 0; i < kJoints; ++i) {
       const auto joint = static_cast<Joint>(i);

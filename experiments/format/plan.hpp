@@ -35,7 +35,7 @@ struct Plan {
   std::vector<RoundPlan> rounds;
   std::vector<JointPlan> moved;                  // by phases; union over all phases
   double setup_s = 0, phases_s = 0, back_s = 0;  // maximum
-  bool on_feet = false, falls = false;
+  bool is_clamped = false, on_feet = false, falls = false;
   bool legs = false;  // a phase moves leg joints or turns their torque off
 
   [[nodiscard]] double seconds() const { return setup_s + phases_s + back_s; }

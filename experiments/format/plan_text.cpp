@@ -64,6 +64,7 @@ std::string how(const Phase& phase) {
 }
 
 std::string falling(const Plan& plan) {
+  if (plan.is_clamped) return messages::kClamped;
   if (plan.falls) return messages::kFalls;
   if (plan.on_feet) return messages::kOnFeet;
   return plan.legs ? messages::kLegsMayMove : messages::kOnKnees;

@@ -95,6 +95,11 @@ class FileReader {
     const auto time = [](std::string_view text) { return parseNumber(text, kDuration); };
     setup.duration_s = at(need(section, "duration"), time);
     if (const Entry* settle = section.find("settle")) setup.settle_s = at(*settle, time);
+    if (const Entry* trunk = section.find("trunk")) {
+      if (trunk->value != "free" && trunk->value != "clamped")
+        fail(trunk->line, "'" + trunk->value + "' is not a way to hold the trunk; it is free or clamped");
+      setup.is_clamped = trunk->value == "clamped";
+    }
   }
 
   [[nodiscard]] std::string label(const std::string& value) const {
@@ -147,6 +152,9 @@ class FileReader {
   void readRecord() {
     const Section& section = need("record");
     at(need(section, "joints"), [&](std::string_view text) {
+      for (std::size_t i = 0; i < kJoints && text == kAllJoints; ++i)
+        out_.record_joints.push_back(static_cast<Joint>(i));
+      if (text == kAllJoints) return 0;
       for (const std::string_view name : splitList(text)) out_.record_joints.push_back(jointNamed(name));
       return 0;
     });

@@ -25,7 +25,7 @@ Words keysOf(std::string_view kind) {
   if (kind == "phase")
     return {"joints",   "goal",     "to",           "amplitude", "period",       "frequency", "goals", "every",
             "duration", "velocity", "acceleration", "p_gain",    "torque_limit", "torque",    "until", "within"};
-  Words keys{"pose", "duration", "settle"};
+  Words keys{"pose", "duration", "settle", "trunk"};
   for (const JointRow& joint : kJointTable) keys.push_back(joint.name);
   return keys;
 }

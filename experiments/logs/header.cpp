@@ -31,7 +31,7 @@ Column columnOf(std::string_view field) {
     return {std::string{text}, std::string{unitOfSuffix(text)}, {}};
   const std::string_view unit = text.substr(bracket + 2, text.size() - bracket - 3);
   if (!isUnit(unit))
-    throw std::runtime_error("the unit of column " + quoted(text) + " is unknown; known units: " + unitNames());
+    throw std::runtime_error("the unit of column " + quotedField(text) + " is unknown; known units: " + unitNames());
   return {std::string{trimmed(text.substr(0, bracket))}, std::string{unit}, {}};
 }
 
@@ -45,7 +45,7 @@ void findTime(Log& log) {
   if (time == log.columns.end()) throw std::runtime_error("no time column; name one time_s, t_s or \"time [s]\"");
   const auto second = secondsIn(time->unit);
   if (!second)
-    throw std::runtime_error("column " + quoted(time->name) + " needs a time unit: write " + time->name +
+    throw std::runtime_error("column " + quotedField(time->name) + " needs a time unit: write " + time->name +
                              "_s, or _ms, or _us");
   log.time = static_cast<std::size_t>(time - log.columns.begin());
   log.second = *second;
@@ -53,7 +53,7 @@ void findTime(Log& log) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string quotedField(std::string_view text) {
   constexpr std::size_t kShown = 40;
   std::string shown = "\"";
   for (const char c : text.substr(0, kShown)) shown += (c >= ' ' && c != '\x7f') || c < 0 ? c : '?';
@@ -71,7 +71,7 @@ void readHeader(std::string_view line, Log& log) {
   forEachField(line, [&](std::string_view field) {
     Column column = columnOf(field);
     if (!names.insert(column.name).second)
-      throw std::runtime_error("two columns are named " + quoted(column.name) + "; rename one");
+      throw std::runtime_error("two columns are named " + quotedField(column.name) + "; rename one");
     log.columns.push_back(std::move(column));
   });
   findTime(log);

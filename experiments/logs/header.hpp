@@ -20,7 +20,7 @@ void forEachField(std::string_view line, F&& each) {
 }
 
 /// A field for error messages: quoted, truncated, without control characters.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string quotedField(std::string_view text);
 
 /// Fills columns and time of the log. Throws std::runtime_error without file and line.
 void readHeader(std::string_view line, Log& log);

@@ -68,7 +68,7 @@ class Parser {
     if (text.starts_with(kFormat)) {
       log_.recording = true;
       if (text.substr(kFormat.size()) != "1")
-        throw std::runtime_error("this log has format " + quoted(text.substr(kFormat.size())) +
+        throw std::runtime_error("this log has format " + quotedField(text.substr(kFormat.size())) +
                                  ", this program reads format 1; use a newer version");
     }
     const std::size_t colon = text.find(':');
@@ -118,13 +118,13 @@ class Parser {
     double value = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error == std::errc{} && end == field.data() + field.size()) return value;
-    throw std::runtime_error(quoted(field) + " in column " + quoted(log_.columns[column].name) +
+    throw std::runtime_error(quotedField(field) + " in column " + quotedField(log_.columns[column].name) +
                              " is not a number; leave the field empty if the value is unknown");
   }
 
   void checkTime() const {
     const double now = values_[log_.time];
-    const std::string name = quoted(log_.columns[log_.time].name);
+    const std::string name = quotedField(log_.columns[log_.time].name);
     if (!std::isfinite(now)) throw std::runtime_error("column " + name + " is empty; every row needs a time");
     if (log_.rows() == 0 || now > log_.columns[log_.time].values.back()) return;
     throw std::runtime_error(std::string{kTimeGoesBack} + ": column " + name + " has " + std::to_string(now) +

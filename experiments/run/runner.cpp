@@ -174,7 +174,7 @@ bool Runner::step() {
     if (!joint.pushed) joint.motor->setPosition(joint.goal);
   on_step_(phase_, now());
   if (robot_.step(step_ms_) == -1) ended_ = true;
-  fall_.update(robot_.getAccelerometer("Accelerometer")->getValues(), step_s_);
+  if (!experiment_.setup.is_clamped) fall_.update(robot_.getAccelerometer("Accelerometer")->getValues(), step_s_);
   return !ended_;
 }
 
