@@ -49,7 +49,7 @@ std::unique_ptr<runtime::RobotLink> serialRobot(const ConnectRequest& request, c
   config.period = request.period.value_or(robot.period.value_or(kUsualPeriod));
   config.safety = safetyOn(robot, request.safety, request.config_file);
   config.real_time.demand = runtime::realTimeFromEnvironment();
-  OpenedBus opened = openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted});
+  OpenedBus opened = openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted, robot.imu});
   config.safety = opened.safety;
   config.port = opened.description;
   warn(request, opened.warnings);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "connect/imu_keys.hpp"
 #include "connect/messages.hpp"
 #include "core/servo_models.hpp"
 #include "core/text/ini_text.hpp"
@@ -23,7 +24,7 @@ namespace {
 
 using text::lowered;
 
-constexpr const char* kSections = "there are [Robot], [Safety], [Limits] and [Offsets]";
+constexpr const char* kSections = "there are [Robot], [Safety], [Limits], [Offsets] and [Imu]";
 
 [[noreturn]] void refuse(std::string_view section, std::string_view key, std::string_view value,
                          const std::string& allowed) {
@@ -122,7 +123,7 @@ class Reader final : public text::IniReader {
  private:
   void section(std::string_view name, int) override {
     const std::string room = lowered(name);
-    if (room != "robot" && room != "safety" && room != "limits" && room != "offsets")
+    if (room != "robot" && room != "safety" && room != "limits" && room != "offsets" && room != "imu")
       throw std::runtime_error("there is no section [" + std::string{name} + "]; " + kSections);
   }
 
@@ -138,6 +139,7 @@ class Reader final : public text::IniReader {
       throw std::runtime_error("[" + std::string{section} + "] " + std::string{key} + messages::kGivenTwice);
     if (safety::takeSafety(file_.safety, section, key, value)) return;
     if (room == "offsets") return takeOffset(key, value);
+    if (room == "imu") return takeImu(key, value);
     takeRobot(key, value);
   }
 
@@ -175,6 +177,23 @@ class Reader final : public text::IniReader {
     file_.offsets.set(*joint, Rad{*offset});
   }
 
+  void takeImu(std::string_view key, std::string_view value) {
+    const auto* const row = std::ranges::find(kImuKeys, lowered(key), &ImuKey::name);
+    if (row == kImuKeys.end()) refuse("Imu", key, value, messages::kNoSuchImuKey);
+    const std::vector<std::string_view> numbers = listed(value);
+    const auto refuseNumbers = [&] {
+      refuse("Imu", key, value,
+             "give three numbers from " + text::shortestText(row->low) + " to " + text::shortestText(row->high) +
+                 (row->unit.empty() ? "" : " " + std::string{row->unit}) + ", with commas between");
+    };
+    if (numbers.size() != 3) refuseNumbers();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto number = text::numberFromText(numbers[i]);
+      if (!number || *number < row->low || *number > row->high) refuseNumbers();
+      (file_.imu.*(row->axes))[i] = *number;
+    }
+  }
+
   RobotFile file_;
   std::set<std::string> seen_;  // "section/key", in lower case
 };
@@ -185,12 +204,15 @@ RobotFile parseRobotFile(std::string_view text, const std::string& path) {
   return Reader{path}.take(text);
 }
 
-RobotFile readRobotFile(const std::string& usual) {
+std::string robotFilePath(const std::string& usual) {
   const char* const named = std::getenv("DARWINOP_ROBOT_FILE");
-  const bool is_named = named != nullptr && *named != '\0';
-  const std::string path = is_named ? named : usual;
+  return named != nullptr && *named != '\0' ? named : usual;
+}
+
+RobotFile readRobotFile(const std::string& usual) {
+  const std::string path = robotFilePath(usual);
   const auto text = readTextFile(path);
-  if (!text && is_named)
+  if (!text && path != usual)
     throw std::runtime_error("DARWINOP_ROBOT_FILE names " + path +
                              ", and there is no such file; correct the path or unset the variable");
   return text ? parseRobotFile(*text, path) : RobotFile{};
@@ -235,6 +257,7 @@ std::string describe(const RobotFile& robot) {
   if (!absent.empty()) text += ", absent:" + absent;
   if (!limits.empty()) text += ", narrowed:" + limits;
   if (!offsets.empty()) text += ", offsets in rad:" + offsets;
+  if (robot.imu != cm730::ImuCalibration{}) text += messages::kImuIsCalibrated;
   return text;
 }
 

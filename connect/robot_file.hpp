@@ -8,6 +8,7 @@
 
 #include "hal/byte_line.hpp"
 #include "hal/cm730/diagnosis/permitted.hpp"
+#include "hal/cm730/imu_correction.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 #include "safety/config.hpp"
 
@@ -25,6 +26,7 @@ struct RobotFile {
   std::string group, controller_user;  // empty: see connect/controller_user.hpp
   safety::Config safety{};             // including the joints that the robot lacks
   cm730::JointOffsets offsets{};
+  cm730::ImuCalibration imu{};
   cm730::Permitted permitted{};
 
   [[nodiscard]] std::string serialPort() const { return port.value_or(kRobotsPort); }
@@ -32,6 +34,9 @@ struct RobotFile {
 
 /// Throws std::runtime_error with file, line, key and allowed values.
 RobotFile parseRobotFile(std::string_view text, const std::string& path);
+
+/// File that this process reads: $DARWINOP_ROBOT_FILE, else `usual`.
+std::string robotFilePath(const std::string& usual = "/opt/darwinop/robot.ini");
 
 /// Reads the file named by $DARWINOP_ROBOT_FILE, else `usual` if it exists, else returns defaults. Throws as
 /// parseRobotFile(), and if the file of the variable does not exist.

@@ -128,6 +128,7 @@ OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose) {
   config.no_writes = opened.safety.no_writes;
   config.fixed_block_length = !checked.facts.instructions.all_blocks;
   config.stall = stallTorques(checked.facts);
+  config.imu = cm730::ImuCorrection{robot.imu};
   opened.bus = std::make_unique<OwnedBus<cm730::SerialPort>>(std::move(line), config);
   return opened;
 }

@@ -8,6 +8,7 @@
 #include "hal/cm730/diagnosis/permitted.hpp"
 #include "hal/cm730/diagnosis/robot_facts.hpp"
 #include "hal/cm730/diagnosis/start_policy.hpp"
+#include "hal/cm730/imu_correction.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 #include "hal/servo_bus.hpp"
 #include "safety/config.hpp"
@@ -21,6 +22,7 @@ struct SerialRobot {
   safety::Config safety{};
   cm730::JointOffsets offsets{};
   cm730::Permitted permitted{};
+  cm730::ImuCalibration imu{};
 };
 
 /// An open bus with its line.

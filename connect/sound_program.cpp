@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 constexpr const char* kVariable = "DARWINOP_SOUND";
 constexpr const char* kProgram = "darwinop-sound";
 
-/// Command line. On a robot the program comes with its own loader and libraries.
+/// Command line. On a robot the program comes with its own libraries and their loader, by this name whatever the
+/// architecture.
 std::vector<std::string> commandFor(const fs::path& program) {
   const fs::path loader = program.parent_path() / "ld-linux.so.2";
   std::error_code unreadable;

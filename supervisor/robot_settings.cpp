@@ -23,7 +23,8 @@ RobotSettings readRobotSettings() {
                   .period = file.period.value_or(connect::kUsualPeriod),
                   .safety = connect::safetyOn(file, safety::Config{}, "config.ini"),
                   .offsets = file.offsets,
-                  .permitted = file.permitted};
+                  .permitted = file.permitted,
+                  .imu = file.imu};
   try {
     robot.group = connect::runtimeGroup(file);
   } catch (const std::runtime_error&) {  // the runtime reports and rejects a missing group

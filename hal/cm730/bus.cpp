@@ -21,7 +21,7 @@ Cm730Bus::Cm730Bus(ByteLine& line, const BusConfig& config)
       config_{config},
       goals_{config.offsets, config.stall},
       list_{config.period, config.polls(), config.absent},
-      decoder_{config.offsets, config.stall},
+      decoder_{config.offsets, config.stall, config.imu},
       tag_{config.fixed_block_length} {}
 
 void Cm730Bus::send(Bytes frame) noexcept {

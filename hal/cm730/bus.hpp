@@ -11,6 +11,7 @@
 #include "core/packet.hpp"
 #include "hal/byte_line.hpp"
 #include "hal/cm730/goal_writer.hpp"
+#include "hal/cm730/imu_correction.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 #include "hal/cm730/read_list.hpp"
 #include "hal/cm730/reply_decoder.hpp"
@@ -31,11 +32,13 @@ struct BusConfig {
   std::bitset<kJoints> no_writes{};  // joints whose EEPROM is not locked, beside `absent`
   bool fixed_block_length = false;   // request_tag.hpp
   StallTorques stall{};
+  ImuCorrection imu{};
 
   /// The longest margin that the period permits beside kFullCycle. At 8 ms a missing reply can make its cycle overrun;
   /// a shorter margin would take late USB frames for missing replies.
   static constexpr BusConfig forPeriod(Nanos period, const JointOffsets& offsets = {}) {
-    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, {}, false, {}};
+    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, {}, false, {},
+            {}};
   }
   /// Maximum number of servos polled in one cycle: as many as fit into the period beside a full cycle and a missing
   /// reply, at least four.

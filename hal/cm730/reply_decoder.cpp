@@ -92,6 +92,7 @@ void ReplyDecoder::takeBoard(const Frame& frame) noexcept {
   out.gyro = {RadPerSec{si<kFirst, kGyroX>(b)}, RadPerSec{si<kFirst, kGyroY>(b)}, RadPerSec{si<kFirst, kGyroZ>(b)}};
   out.accelerometer = {MeterPerSec2{si<kFirst, kAccelX>(b)}, MeterPerSec2{si<kFirst, kAccelY>(b)},
                        MeterPerSec2{si<kFirst, kAccelZ>(b)}};
+  imu_.apply(out);
   out.buttons = static_cast<std::uint8_t>(raw<kFirst, kButtons>(b));
   out.voltage = Volt{si<kFirst, kVoltage>(b)};
   out.microphone_left = raw<kFirst, kMicLeft>(b);

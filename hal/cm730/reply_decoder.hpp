@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/packet.hpp"
+#include "hal/cm730/imu_correction.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 #include "hal/cm730/read_list.hpp"
 #include "hal/cm730/stall_torques.hpp"
@@ -18,8 +19,8 @@ namespace darwinop::cm730 {
 /// reply of exactly that length, and then only in list order.
 class ReplyDecoder {
  public:
-  explicit ReplyDecoder(const JointOffsets& offsets = {}, const StallTorques& stall = {})
-      : offsets_{offsets}, stall_{stall} {}
+  explicit ReplyDecoder(const JointOffsets& offsets = {}, const StallTorques& stall = {}, const ImuCorrection& imu = {})
+      : offsets_{offsets}, stall_{stall}, imu_{imu} {}
 
   void begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes, BusReadings& readings) noexcept;
   /// Takes all frames of `reader`. `more_expected`: see FrameReader::next(). A frame that is not followed directly by
@@ -58,6 +59,7 @@ class ReplyDecoder {
 
   JointOffsets offsets_;
   StallTorques stall_;
+  ImuCorrection imu_;
   std::span<const ReadList::Entry> list_;
   BusReadings* readings_ = nullptr;
   std::uint8_t board_bytes_ = 0;

@@ -1,11 +1,17 @@
 // Error messages for opening a serial port.
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 #include "core/text/printable.hpp"
@@ -25,19 +31,43 @@ bool holds(const fs::path& process, const std::string& real) {
   return false;
 }
 
-/// "process 1234 (darwinop-runtime)", or empty: the descriptors of other users' processes are not readable.
+/// Id of the process that has locked the file, from the kernel's list; empty: none, or it is not visible here. A line:
+/// "3: FLOCK  ADVISORY  WRITE 1234 00:1b:5 0 EOF", with device numbers in hexadecimal.
+std::string lockOwner(const std::string& path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) != 0) return {};
+  std::array<char, 64> file{};
+  std::snprintf(file.data(), file.size(), "%02x:%02x:%ju", major(info.st_dev), minor(info.st_dev),
+                static_cast<std::uintmax_t>(info.st_ino));
+  std::ifstream locks{"/proc/locks"};
+  for (std::string line; std::getline(locks, line);) {
+    std::istringstream words{line};
+    std::string number, kind, way, access, pid, locked;
+    words >> number >> kind >> way >> access >> pid >> locked;
+    if (kind == "FLOCK" && locked == file.data()) return pid;
+  }
+  return {};
+}
+
+std::string processName(const std::string& pid) {
+  if (pid == std::to_string(::getpid())) return "this process";
+  std::string name;
+  std::getline(std::ifstream{"/proc/" + pid + "/comm"}, name);
+  // A process chooses its name.
+  return std::string{"process "}.append(pid).append(" (").append(text::printable(name)).append(")");
+}
+
+/// "process 1234 (darwinop-runtime)": who has locked the port, otherwise who has it open: the robot behind a pty has it
+/// open as well. Empty: the descriptors of other users' processes are not readable.
 std::string holder(const std::string& path) {
+  if (const std::string pid = lockOwner(path); !pid.empty()) return processName(pid);
   std::error_code error;
   const std::string real = fs::canonical(path, error).string();
   if (error) return {};
   for (fs::directory_iterator it{"/proc", error}, end; !error && it != end; it.increment(error)) {
     const std::string pid = it->path().filename().string();
     if (pid.find_first_not_of("0123456789") != std::string::npos || !holds(it->path(), real)) continue;
-    if (pid == std::to_string(::getpid())) return "this process";
-    std::string name;
-    std::getline(std::ifstream{it->path() / "comm"}, name);
-    // A process chooses its name.
-    return std::string{"process "}.append(pid).append(" (").append(text::printable(name)).append(")");
+    return processName(pid);
   }
   return {};
 }

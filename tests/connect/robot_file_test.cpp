@@ -56,6 +56,19 @@ TEST(RobotFile, ReadsEverySection) {
   EXPECT_EQ(robot.offsets.ticks(Joint::kShoulderR), 0);
 }
 
+TEST(RobotFile, ReadsTheCalibrationOfTheInertialSensor) {
+  const RobotFile robot = parseRobotFile(
+      "[Imu]\nGyro_Bias = 0.1, -0.2,0.3 # 2026\naccel_bias = 1, 2, -3\naccel_scale = 1.1, 0.9, 1\n"
+      "mounting = 0.01, 0.02, -0.03\n",
+      "robot.ini");
+  EXPECT_EQ(robot.imu, (cm730::ImuCalibration{.gyro_bias_rad_s = {0.1, -0.2, 0.3},
+                                              .accel_bias_m_s2 = {1, 2, -3},
+                                              .accel_scale = {1.1, 0.9, 1},
+                                              .mounting_rad = {0.01, 0.02, -0.03}}));
+  EXPECT_THAT(describe(robot), HasSubstr(messages::kImuIsCalibrated));
+  EXPECT_THAT(describe(parseRobotFile("", "robot.ini")), testing::Not(HasSubstr(messages::kImuIsCalibrated)));
+}
+
 TEST(RobotFile, WhatItDoesNotNameIsNotThere) {
   const RobotFile robot = parseRobotFile("", "robot.ini");
   EXPECT_FALSE(robot.port || robot.camera || robot.period);
@@ -127,6 +140,10 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[Offsets]\nNeck = 0.21", 2, {"[Offsets] Neck = 0.21: ", "-0.2 to 0.2 rad"}},
         Wrong{"[Offsets]\nNeck = nan", 2, {"[Offsets] Neck = nan: ", "-0.2 to 0.2 rad"}},
         Wrong{"[Offsets]\nNose = 0.1", 2, {"[Offsets] Nose = 0.1: ", "Neck"}},
+        Wrong{"[Imu]\nmounting = 0, 0", 2, {"[Imu] mounting = 0, 0: ", "three numbers from -0.35 to 0.35 rad"}},
+        Wrong{"[Imu]\naccel_scale = 1, 1, 0", 2, {"[Imu] accel_scale = 1, 1, 0: ", "0.8 to 1.2"}},
+        Wrong{"[Imu]\ngyro_bias = 0, nan, 0", 2, {"[Imu] gyro_bias = 0, nan, 0: ", "-1 to 1 rad/s"}},
+        Wrong{"[Imu]\nbias = 0, 0, 0", 2, {"[Imu] bias = 0, 0, 0: ", messages::kNoSuchImuKey}},
         Wrong{"[Safety]\nstall_ms = never", 2, {"[Safety] stall_ms = never: ", "50 to 10000 ms"}},
         Wrong{"[Limits]\nNeck = -9, 9", 2, {"[Limits] Neck = -9, 9: ", "-1.92975 to 1.69045"}},
         Wrong{"\n[Offset]", 2, {"[Offset]", "[Robot], [Safety], [Limits]", "[Offsets]"}},

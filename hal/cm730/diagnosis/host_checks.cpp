@@ -1,4 +1,4 @@
-// Measures real-time priority, memory locking and clock resolution.
+// Measures real-time priority, memory locking, processor speed and clock resolution.
 #include "hal/cm730/diagnosis/host_checks.hpp"
 
 #include <pthread.h>
@@ -9,8 +9,12 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <system_error>
 #include <thread>
+#include <utility>
 
 namespace darwinop::cm730 {
 namespace {
@@ -60,7 +64,32 @@ Finding memoryRow(const HostFacts& facts) {
   return Finding::of(Kind::kMemory, what + ": a page fault could stall the loop", limitLine("memlock unlimited"));
 }
 
+// Any other governor lowers the speed while a loop sleeps; the next cycle begins slowly.
+constexpr const char* kConstantSpeed = "performance";
+
+Findings governorRows(const std::set<std::string>& governors) {
+  if (governors.empty()) return {};
+  std::string slowing;
+  for (const std::string& governor : governors)
+    if (governor != kConstantSpeed) slowing += (slowing.empty() ? "" : ", ") + governor;
+  if (slowing.empty()) return {Finding::ok("the processor keeps its speed")};
+  return {Finding::of(Kind::kGovernor,
+                      "the processor slows down when idle (governor " + slowing + "): cycles may be late",
+                      std::string{"echo "} + kConstantSpeed + " | sudo tee " + kSysCpu +
+                          "/cpu*/cpufreq/scaling_governor   (after each boot: docs/doctor.md)")};
+}
+
 }  // namespace
+
+std::set<std::string> cpuGovernors(const std::string& folder) {
+  std::set<std::string> found;
+  std::error_code none;  // without sysfs nothing is known
+  for (const auto& entry : std::filesystem::directory_iterator{folder, none}) {
+    std::ifstream file{entry.path() / "cpufreq/scaling_governor"};
+    if (std::string governor; file >> governor) found.insert(governor);
+  }
+  return found;
+}
 
 Nanos clockResolution() {
   timespec resolution{};
@@ -82,12 +111,15 @@ HostFacts measureHost(int priority) {
   facts.memory_error = tryLocking();
   rlimit limit{};
   if (::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) facts.memory_limit = limit.rlim_cur;
+  facts.governors = cpuGovernors();
   facts.clock_resolution = clockResolution();
   return facts;
 }
 
 Findings diagnoseHost(const HostFacts& facts) {
-  return {priorityRow(facts), memoryRow(facts), clockRow(facts.clock_resolution)};
+  Findings rows{priorityRow(facts), memoryRow(facts), clockRow(facts.clock_resolution)};
+  for (Finding& row : governorRows(facts.governors)) rows.push_back(std::move(row));
+  return rows;
 }
 
 }  // namespace darwinop::cm730

@@ -114,6 +114,14 @@ TEST(OpenSerial, RejectsAPortInUseAndNamesTheProcess) {
   EXPECT_THAT(explain(pty.path(), second), HasSubstr(pty.path() + kPortInUse + "this "));
 }
 
+TEST(OpenSerial, NamesTheProcessWithTheLockAndNotAnotherThatHasThePortOpen) {
+  const Pty pty;
+  const OpenFile without_lock{::open(pty.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
+  const runtime::Child other{[&] { (void)openSerial(pty.path()); }};
+  EXPECT_THAT(explain(pty.path(), openSerial(pty.path())),
+              HasSubstr(kPortInUse + ("process " + std::to_string(other.pid())) + " "));
+}
+
 TEST(OpenSerial, EscapesTheNameThatTheProcessAtThePortGaveItself) {
   const TemporaryFolder folder;
   const runtime::Child other{[&] {

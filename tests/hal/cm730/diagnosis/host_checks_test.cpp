@@ -7,15 +7,24 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::cm730 {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 HostFacts good() {
-  return {.priority = 80, .priority_error = 0, .memory_error = 0, .memory_limit = {}, .clock_resolution = Nanos{1}};
+  HostFacts facts;
+  facts.priority = 80;
+  facts.clock_resolution = Nanos{1};
+  return facts;
 }
 
 TEST(HostChecks, AComputerThatPermitsEverythingPasses) {
@@ -49,6 +58,31 @@ TEST(HostChecks, AClockWithTickResolutionIsTooCoarse) {
   HostFacts facts = good();
   facts.clock_resolution = Nanos{4'000'000};
   EXPECT_EQ(diagnoseHost(facts)[2].level, Level::kError);
+}
+
+TEST(HostChecks, AProcessorThatSlowsDownReportsTheRemedy) {
+  const TemporaryFolder cpus;
+  const auto write = [&](const std::string& cpu, const std::string& governor) {
+    std::filesystem::create_directories(cpus / cpu + "/cpufreq");
+    std::ofstream{cpus / cpu + "/cpufreq/scaling_governor"} << governor << "\n";
+  };
+  std::filesystem::create_directory(cpus / "cpuidle");  // no processor
+  write("cpu0", "performance");
+  HostFacts facts = good();
+  facts.governors = cpuGovernors(cpus / "");
+  EXPECT_EQ(worst(diagnoseHost(facts)), Level::kOk);
+  write("cpu1", "ondemand");
+  facts.governors = cpuGovernors(cpus / "");
+  const Finding row = diagnoseHost(facts).back();
+  EXPECT_TRUE(row.is(Kind::kGovernor));
+  EXPECT_EQ(row.level, Level::kWarning);
+  EXPECT_THAT(row.what, AllOf(HasSubstr("ondemand"), Not(HasSubstr("performance"))));
+  EXPECT_THAT(row.remedy, HasSubstr("scaling_governor"));
+}
+
+TEST(HostChecks, AComputerOfConstantSpeedHasNoSuchRow) {
+  EXPECT_TRUE(cpuGovernors("/missing").empty());
+  EXPECT_EQ(diagnoseHost(good()).size(), 3u);
 }
 
 TEST(HostChecks, MeasuringDoesNotChangeTheCallingThread) {
