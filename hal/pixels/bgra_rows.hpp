@@ -14,6 +14,8 @@ using BgraRow = void(const std::uint8_t* yuyv, int width, std::uint8_t* bgra) no
 BgraRow bgraRowScalar;
 #ifdef __SSE2__
 BgraRow bgraRowSse2, bgraRowSsse3, bgraRowAvx2;
+#elif defined(__ARM_NEON)
+BgraRow bgraRowNeon;
 #endif
 
 inline void putBgra(int luma, int u, int v, std::uint8_t* bgra) noexcept {

@@ -17,6 +17,9 @@ ChromaRow chromaRowScalar;
 #ifdef __SSE2__
 LumaRow lumaRowSse2;
 ChromaRow chromaRowSse2;
+#elif defined(__ARM_NEON)
+LumaRow lumaRowNeon;
+ChromaRow chromaRowNeon;
 #endif
 
 }  // namespace darwinop::pixels

@@ -34,6 +34,8 @@ std::span<const Kernel<ToBgra>> bgraKernels() noexcept {
         {"sse2", byRows<bgraRowSse2>, true},
         {"ssse3", byRows<bgraRowSsse3>, __builtin_cpu_supports("ssse3") != 0},
         {"avx2", byRows<bgraRowAvx2>, __builtin_cpu_supports("avx2") != 0},
+#elif defined(__ARM_NEON)
+        {"neon", byRows<bgraRowNeon>, true},
 #endif
     });
 #ifdef __SSE2__

@@ -51,6 +51,8 @@ std::span<const Kernel<ToPlanes>> planesKernels() noexcept {
       {"scalar", planesByRows<lumaRowScalar, chromaRowScalar>, true},
 #ifdef __SSE2__
       {"sse2", planesByRows<lumaRowSse2, chromaRowSse2>, true},
+#elif defined(__ARM_NEON)
+      {"neon", planesByRows<lumaRowNeon, chromaRowNeon>, true},
 #endif
   });
   return kKernels;

@@ -10,11 +10,12 @@ bool canUse(Instructions instructions) {
   if (instructions == Instructions::kAvx2) return kHasClassifyAvx2 && __builtin_cpu_supports("avx2") != 0;
   if (instructions == Instructions::kSsse3) return kHasClassifySsse3 && __builtin_cpu_supports("ssse3") != 0;
 #endif
+  if (instructions == Instructions::kNeon) return kHasClassifyNeon;
   return instructions == Instructions::kPlain;
 }
 
 Instructions bestInstructions() {
-  for (const Instructions best : {Instructions::kAvx2, Instructions::kSsse3})
+  for (const Instructions best : {Instructions::kAvx2, Instructions::kSsse3, Instructions::kNeon})
     if (canUse(best)) return best;
   return Instructions::kPlain;
 }
@@ -22,6 +23,7 @@ Instructions bestInstructions() {
 Classify classifierFor(Instructions instructions) {
   if (!canUse(instructions)) throw std::invalid_argument("this processor does not support the requested instructions");
   if (instructions == Instructions::kAvx2) return classifyAvx2;
+  if (instructions == Instructions::kNeon) return classifyNeon;
   return instructions == Instructions::kSsse3 ? classifySsse3 : classifyPlain;
 }
 

@@ -8,7 +8,9 @@
 namespace darwinop::vision {
 
 /// Required instruction set. All variants give the same bits.
-enum class Instructions { kPlain, kSsse3, kAvx2 };
+enum class Instructions { kPlain, kSsse3, kAvx2, kNeon };
+inline constexpr Instructions kAllInstructions[] = {Instructions::kPlain, Instructions::kSsse3, Instructions::kAvx2,
+                                                    Instructions::kNeon};
 
 /// The fastest variant that this processor supports.
 Instructions bestInstructions();
@@ -23,7 +25,9 @@ void classifyPlain(const ColourTest&, const std::uint8_t* bgra, int width, std::
 /// Call only if compiled in, see the constants below.
 void classifySsse3(const ColourTest&, const std::uint8_t* bgra, int width, std::uint64_t* bits);
 void classifyAvx2(const ColourTest&, const std::uint8_t* bgra, int width, std::uint64_t* bits);
+void classifyNeon(const ColourTest&, const std::uint8_t* bgra, int width, std::uint64_t* bits);
 extern const bool kHasClassifySsse3;
 extern const bool kHasClassifyAvx2;
+extern const bool kHasClassifyNeon;
 
 }  // namespace darwinop::vision

@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const naive::Result expected =
       naive::find(bgra.data(), width, height,
                   {wanted.hue, wanted.hue_tolerance, wanted.min_saturation, wanted.min_value}, limits.min, limits.max);
-  for (const Instructions instructions : {Instructions::kPlain, Instructions::kSsse3, Instructions::kAvx2}) {
+  for (const Instructions instructions : kAllInstructions) {
     if (!canUse(instructions)) continue;
     ColourFinder finder{width, height, wanted, limits, instructions};
     const auto found = finder.find(bgra);

@@ -21,7 +21,7 @@ naive::Rule ruleOf(const Thresholds& t) {
 
 std::vector<Instructions> usable() {
   std::vector<Instructions> all;
-  for (const Instructions one : {Instructions::kPlain, Instructions::kSsse3, Instructions::kAvx2})
+  for (const Instructions one : kAllInstructions)
     if (canUse(one)) all.push_back(one);
   return all;
 }

@@ -125,7 +125,7 @@ TEST(ColourFinder, TwoThousandRandomPicturesGiveTheNaiveResult) {
         picture.data(), width, height, {wanted.hue, wanted.hue_tolerance, wanted.min_saturation, wanted.min_value},
         limits.min, limits.max);
     found += expected.found ? 1 : 0;
-    for (const Instructions instructions : {Instructions::kPlain, Instructions::kSsse3, Instructions::kAvx2}) {
+    for (const Instructions instructions : kAllInstructions) {
       if (!canUse(instructions)) continue;
       ColourFinder finder{width, height, wanted, limits, instructions};
       const auto got = finder.find(picture.bytes());
