@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes what `darwinop install` sends and what controllers are cross-compiled with, from a finished robot build:
 #   bundle/                            what lies in /opt/darwinop/versions/<VERSION> on the robot
-#   darwinop-<VERSION>-i686.tar.gz     the same as one archive
+#   darwinop-<VERSION>-<ARCH>.tar.gz   the same as one archive; ARCH: i686, amd64, armhf or aarch64
 #   sdk/                               headers, libdarwinop.a, Makefile.include and the facts of the cross compiler
 #
 #   make_bundle.sh BUILD_DIRECTORY
@@ -23,10 +23,10 @@ cp "$tools/../LICENSE" bundle
 mv MANIFEST bundle
 
 # The same sources give the same archive. The robot's tar is of 2009: plain ustar, and a date that its clock has passed.
-version=$(cat bundle/VERSION)
-archive=darwinop-$version-i686.tar.gz
+version=$(cat bundle/VERSION) architecture=$(cat bundle/ARCHITECTURE)
+archive=darwinop-$version-$architecture.tar.gz
 (cd bundle && tar -c --format=ustar --sort=name --owner=0 --group=0 --numeric-owner --mode=u+rw,go=rX \
   --mtime='2009-01-01 00:00Z' -- *) | gzip -9n >"$archive.new"
-rm -f darwinop-*-i686.tar.gz
+rm -f darwinop-*-"$architecture".tar.gz
 mv "$archive.new" "$archive"
 du -sk bundle "$archive" | while read -r size what; do echo "$PWD/$what: $size kB"; done

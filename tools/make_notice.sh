@@ -7,6 +7,12 @@
 # that the tables below do not know, or a package without a licence text, is an error.
 set -euo pipefail
 build=$1 folder=$2
+case $(cat "$build/ARCHITECTURE") in  # the end of the names of the compiler's packages
+  i686) cross=-i386-cross ;;
+  amd64) cross= ;;
+  aarch64) cross=-arm64-cross ;;
+  armhf) cross=-armhf-cross ;;
+esac
 die() { echo "make_notice.sh: $*" >&2; exit 1; }
 
 # Library -> Debian package that has it.
@@ -27,7 +33,7 @@ package_of_library() {
     libsonic.so.*) echo libsonic0 ;;
     libvorbis.so.*) echo libvorbis0a ;;
     libvorbisenc.so.*) echo libvorbisenc2 ;;
-    libc.so.* | libm.so.* | ld-linux.so.*) echo libc6 ;;
+    libc.so.* | libm.so.* | libpthread.so.* | libdl.so.* | librt.so.* | ld-linux*.so.*) echo libc6 ;;
     *) die "no package is known for the library $1; add it to tools/make_notice.sh" ;;
   esac
 }
@@ -40,7 +46,7 @@ package_of_headers() {
     nlohmann) echo nlohmann-json3-dev ;;
     X11) echo x11proto-dev ;;
     alsa | xcb | espeak-ng | gtest | gmock | rapidcheck) ;;  # their libraries are above, or are for tests only
-    bits | sys | gnu | arpa | net | netinet | netpacket | rpc | linux | asm | asm-generic | scsi | mtd | i386-linux-gnu | c++) ;;  # libc6-dev
+    bits | sys | gnu | arpa | net | netinet | netpacket | rpc | linux | asm | asm-generic | scsi | mtd | *-linux-gnu | *-linux-gnueabihf | c++) ;;  # libc6-dev
     *) die "no package is known for the headers in /usr/include/$1; add it to tools/make_notice.sh" ;;
   esac
 }
@@ -48,7 +54,7 @@ package_of_headers() {
 packages() {
   local name
   # In every program: the C library and what the compiler adds.
-  printf '%s\n' libc6-dev libstdc++-12-dev-i386-cross libgcc-12-dev-i386-cross espeak-ng-data
+  printf '%s\n' libc6-dev "libstdc++-12-dev$cross" "libgcc-12-dev$cross" espeak-ng-data
   for name in $(ninja -C "$build" -t commands robot_programs | grep -oE '/[^ ]*/lib[^ /]+\.(a|so)[.0-9]*' | sed 's,.*/,,' | sort -u); do
     package_of_library "$name"
   done

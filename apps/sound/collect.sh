@@ -1,21 +1,22 @@
 #!/bin/sh
-# collect.sh PROGRAM SYSROOT FOLDER: creates FOLDER with the program, its libraries, their loader, the
-# voices, and the ALSA configuration for the robot's sound card.
+# collect.sh PROGRAM FOLDER SYSTEM CORE LOADER STRIP OBJDUMP: creates FOLDER with the program, its libraries, their loader,
+# the voices, and the ALSA configuration for the robot's sound card. SYSTEM and CORE are the sysroot's folders of libraries,
+# STRIP and OBJDUMP programs for the robot's architecture.
 set -eu
-program=$1 sysroot=$2 folder=$3
+program=$1 folder=$2 system=$3 core=$4 loader=$5 strip=$6 objdump=$7
 here=$(dirname "$(readlink -f "$0")")
-arch=i386-linux-gnu
 
 rm -rf "$folder"
 mkdir -p "$folder"
-i686-linux-gnu-strip -o "$folder/darwinop-sound" "$program"
+"$strip" -o "$folder/darwinop-sound" "$program"
 cp "$here/alsa.conf" "$folder"
 
-needed() { i686-linux-gnu-objdump -p "$1" | sed -n 's/^ *NEEDED *//p'; }
+needed() { "$objdump" -p "$1" | sed -n 's/^ *NEEDED *//p'; }
 collect() {
   needed "$1" | while read -r library; do
+    case $library in ld-linux*) continue ;; esac
     [ ! -e "$folder/$library" ] || continue
-    for place in "$sysroot/lib/$arch" "$sysroot/usr/lib/$arch"; do
+    for place in "$core" "$system"; do
       [ ! -e "$place/$library" ] || cp -L "$place/$library" "$folder/"
     done
     [ -e "$folder/$library" ] || { echo "collect.sh: $1 needs $library, which the sysroot does not have" >&2; exit 1; }
@@ -23,13 +24,14 @@ collect() {
   done
 }
 collect "$program"
-[ -e "$folder/ld-linux.so.2" ] || cp -L "$sysroot/lib/$arch/ld-linux.so.2" "$folder/"
+# The name that connect/sound_program.cpp looks for, on every architecture.
+cp -L "$loader" "$folder/ld-linux.so.2"
 
 # The languages that the robot spoke in 2013 (docs/sound.md), without three whose dictionaries take 4.2 MB: Russian and
 # the two of Chinese.
 languages='af bs ca cs cy da de el en eo es fi fr grc hi hr hu hy hyw id is it jbo ka kn ku la lv mk ml nb nci nl pap pl
   pt ro sk sq sr sv sw ta tr vi'
-from=$sysroot/usr/lib/$arch/espeak-ng-data
+from=$system/espeak-ng-data
 to=$folder/espeak-ng-data
 mkdir -p "$to/voices/!v"
 cp "$from/phontab" "$from/phonindex" "$from/phondata" "$from/intonations" "$to"

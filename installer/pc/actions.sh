@@ -13,9 +13,10 @@ on_robot() {
 install_on_robot() {
   phase_count=$((5 - 2 * dry_run))
   phase "reading the archive"
-  open_bundle
-  say "version $version ($((archive_bytes / 1024)) kB) for $target"
+  if [ -n "$bundle" ]; then open_bundle; else expect_bundle; fi
   connect
+  [ -n "$bundle" ] || { find_bundle && open_bundle; }
+  say "version $version for $architecture ($((archive_bytes / 1024)) kB) for $target"
   phase "checking the robot"
   status=0
   on_robot preflight "$(bundle_settings)" </dev/null || status=$?

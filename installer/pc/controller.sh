@@ -14,7 +14,7 @@ controller_main() {
         list_transfer
         return
       fi
-      connect
+      [ -n "$connection" ] || connect
       send_controller
       ;;
     stop | no-default | logs)
@@ -57,7 +57,7 @@ send_controller() {
   phase "sending $controller_name"
   # shellcheck disable=SC2086  # checksum and length
   send_with_progress "$connection/controller.tar.gz" "${archive_sum#* }" "unpacking $controller_name on the robot" |
-    robot_run receive_controller "$controller_name" "$kilobytes" $archive_sum
+    robot_run receive_controller "$controller_name" "$kilobytes" $archive_sum "$(sdk_architecture)"
   status=$?
   phase_number=$((phase_number + 1))  # unpacking started in a subshell
   [ $status != 255 ] || die "$msg_robot_lost while sending $controller_name; the robot is unchanged. Try again"

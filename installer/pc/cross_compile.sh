@@ -3,13 +3,37 @@
 
 # Folder with headers, library and compiler options from ./dev build --robot.
 find_robot_sdk() {
-  robot_sdk=${DARWINOP_ROBOT_SDK:-$(readlink -f "$installer/../build/robot/sdk" || true)}
+  robot_sdk=${DARWINOP_ROBOT_SDK:-}
+  [ -n "$robot_sdk" ] || choose_robot_sdk
   { [ -f "$robot_sdk/share/darwinop/robot-toolchain.mk" ] && [ -f "$robot_sdk/share/darwinop/old-make" ]; } ||
     die "the robot's library is not built yet, or by an older version${robot_sdk:+ (no $robot_sdk)}; build it once: ./dev build --robot"
   command -v make >/dev/null || die "make not found; install it: sudo apt-get install make"
   case $robot_sdk in
     *[[:space:]]*) die "make does not support blanks in folder names: move $robot_sdk or its repository" ;;
   esac
+}
+
+# The one that was built; of several, the one for the version that is installed on the robot.
+choose_robot_sdk() { # -> robot_sdk
+  robot_sdk=$(readlink -f "$installer/../build/robot/sdk" || true) sdk_count=0
+  for folder in "$installer"/../build/robot*/sdk; do
+    [ -f "$folder/share/darwinop/robot-toolchain.mk" ] || continue
+    sdk_count=$((sdk_count + 1)) found=$(readlink -f "$folder")
+  done
+  [ $sdk_count != 1 ] || robot_sdk=$found
+  if [ $sdk_count -lt 2 ] || [ "${dry_run:-0}" = 1 ]; then return; fi
+  connect
+  ask_installed_architecture
+  folder=robot-$installed
+  [ "$installed" != i686 ] || folder=robot
+  robot_sdk=$(readlink -f "$installer/../build/$folder/sdk" || true)
+  [ -d "$robot_sdk" ] || die "$target $msg_not_built $installed: build them with './dev build --robot=$installed' and run this again"
+}
+
+# i686, amd64, armhf or aarch64.
+sdk_architecture() {
+  named=$(sed -n 's/^ROBOT_ARCHITECTURE := //p' "$robot_sdk/share/darwinop/robot-toolchain.mk")
+  echo "${named:-i686}"
 }
 
 # A script, or a folder with scripts and nothing to compile.
@@ -119,16 +143,26 @@ run_make() {
   )
 }
 
-# A program for a robot without libraries: static i386 ELF.
-is_static_i386() { # FILE
+# A program for a robot without libraries: static ELF for its architecture.
+is_static_program() { # FILE ARCHITECTURE
+  case $2 in
+    i686) bits=1 machine="3 0" ;;
+    amd64) bits=2 machine="62 0" ;;
+    armhf) bits=1 machine="40 0" ;;
+    aarch64) bits=2 machine="183 0" ;;
+  esac
   # shellcheck disable=SC2046  # one number per byte
-  set -- "$1" $(od -An -v -tu1 -N52 "$1")
-  [ $# = 53 ] || return 1
+  set -- "$1" $(od -An -v -tu1 -N64 "$1")
+  [ $# = 65 ] || return 1
   file=$1
   shift
-  [ "$1 $2 $3 $4 $5 $6" = "127 69 76 70 1 1" ] || return 1  # ELF, 32 bit, little endian
-  case "${17} ${18} ${19} ${20}" in "2 0 3 0" | "3 0 3 0") ;; *) return 1 ;; esac  # ET_EXEC or ET_DYN, for the 386
-  offset=$((${29} + 256 * ${30} + 65536 * ${31})) size=$((${43} + 256 * ${44})) count=$((${45} + 256 * ${46}))
+  [ "$1 $2 $3 $4 $5 $6" = "127 69 76 70 $bits 1" ] || return 1  # ELF, 32 or 64 bit, little endian
+  case "${17} ${18} ${19} ${20}" in "2 0 $machine" | "3 0 $machine") ;; *) return 1 ;; esac  # ET_EXEC or ET_DYN
+  if [ "$bits" = 1 ]; then
+    offset=$((${29} + 256 * ${30} + 65536 * ${31})) size=$((${43} + 256 * ${44})) count=$((${45} + 256 * ${46}))
+  else
+    offset=$((${33} + 256 * ${34} + 65536 * ${35})) size=$((${55} + 256 * ${56})) count=$((${57} + 256 * ${58}))
+  fi
   while [ $count -gt 0 ]; do
     # shellcheck disable=SC2046
     set -- $(od -An -v -tu1 -j "$offset" -N4 "$file")
@@ -160,9 +194,9 @@ compile_controller() { # DIR
   open_build_cache
   copy_sources
   choose_makefile
-  say "building $controller_name for the robot"
+  say "building $controller_name for the robot ($(sdk_architecture))"
   run_make >&2 || die "$controller_name does not compile, see the lines above. Nothing was sent"
   find_program
-  is_static_i386 "$controller_program" ||
+  is_static_program "$controller_program" "$(sdk_architecture)" ||
     die "${controller_program##*/} $msg_not_static. Its $controller_makefile must call the compiler as g++ or c++"
 }

@@ -3,7 +3,8 @@
 # Tests read them here, so that wording can change.
 
 msg_instead='of the folder instead'
-msg_not_static='is not a static i386 program for the robot'
+msg_not_static='is not a static program for the robot'
+msg_not_built='needs programs that are not built yet, for'
 msg_not_file='is not a file or folder'
 msg_no_folder='does not exist: specify the folder'
 msg_nothing_to_build='nothing to build'

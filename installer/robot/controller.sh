@@ -8,9 +8,11 @@ need_runtime() {
   [ -x "$home/current/bin/darwinop-run" ] || die "darwinop is not installed on this robot. $msg_install_first"
 }
 
-# receive_controller NAME KILOBYTES CKSUM BYTES <archive.tar.gz
+# receive_controller NAME KILOBYTES CKSUM BYTES ARCHITECTURE <archive.tar.gz
 receive_controller() {
   need_runtime
+  [ "$5" = "$(installed_architecture)" ] ||
+    die "$1 was built for $5, but the programs on this robot are for $(installed_architecture): run './dev build --robot=$(installed_architecture)' and send it again"
   lock
   controllers=$home/controllers
   mkdir -p "$controllers" || die "cannot create $controllers"

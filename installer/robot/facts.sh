@@ -2,7 +2,7 @@
 # Properties of this robot, and problems that prevent an installation. Read-only.
 
 # Set from NAME=VALUE words by `settings`; sizes in kB (1024 bytes).
-version=- manifest=- archive_kb=0 unpacked_kb=0 archive_bytes=0 sha256=- cksum=-
+version=- architecture=i686 manifest=- archive_kb=0 unpacked_kb=0 archive_bytes=0 sha256=- cksum=-
 force=0 without_robot=0 port='' autostart='' dry_run=0
 
 settings() {
@@ -10,6 +10,7 @@ settings() {
     value=${word#*=}
     case $word in
       version=*) version=$value ;;
+      architecture=*) architecture=$value ;;
       manifest=*) manifest=$value ;;
       archive_kb=*) archive_kb=$value ;;
       archive_bytes=*) archive_bytes=$value ;;
@@ -104,22 +105,6 @@ check_programs() {
   [ "$(readlink "$scratch/b")" = one ] ||
     problem "the robot's 'mv' does not support -T, which is needed to switch versions; install coreutils, or busybox 1.20 or later"
   rm -rf "$scratch"
-}
-
-check_machine() {
-  case $(uname -m) in
-    i686 | x86_64) ;;
-    *) problem "this is a $(uname -m), not an i686 computer; check the robot's address" ;;
-  esac
-  flags=$(sed -n 's/^flags[^:]*://p' /proc/cpuinfo | sed -n 1p)
-  for flag in sse2 ssse3; do
-    case " $flags " in
-      *" $flag "*) ;;
-      *) problem "the processor does not support $flag; the programs are built for the robot's Atom Z530" ;;
-    esac
-  done
-  [ "$(compare "$(uname -r)" 2.6.31)" != older ] ||
-    problem "kernel $(uname -r) is too old; the programs need 2.6.31 (Ubuntu 9.10) or later"
 }
 
 check_space() {

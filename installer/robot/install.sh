@@ -8,7 +8,7 @@ preflight() {
     die -5 "$msg_other_install (process $(cut -d ' ' -f 1 "$home/lock")); wait until it has ended"
   find_problems
   [ "$problems" = 0 ] || die "nothing was changed"
-  say "$(uname -m), kernel $(uname -r), $(free_kb) kB free, serial port $(robot_port), installed: $(version_current)"
+  say "$(uname -m), $(system_name)kernel $(uname -r), $(free_kb) kB free, serial port $(robot_port), installed: $(version_current)"
   if is_done; then
     say "version $version $msg_confirmed; $msg_nothing_to_do"
     exit 10

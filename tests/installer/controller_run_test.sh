@@ -32,6 +32,38 @@ scenario_program_and_data_arrive_and_nothing_else() {
   (cd "$LAB/pc/walker" && [ "$(find . -name '*.o' -o -name walker)" = "" ]) || fail "the build changed the source folder"
 }
 
+scenario_a_controller_for_another_computer_is_refused() {
+  controller walker 'return 0;'
+  echo aarch64 >"$ROBOT/opt/darwinop/current/ARCHITECTURE"
+  run_install --controller "$LAB/pc/walker"
+  expect_status 1
+  expect_said "walker was built for i686, but .* aarch64: run '\./dev build --robot=aarch64'"
+  [ ! -e "$ROBOT/opt/darwinop/controllers/walker" ] || fail "it was sent all the same"
+}
+
+scenario_of_several_libraries_the_one_for_the_robots_version_is_used() {
+  local copy=$LAB/copy
+  unset DARWINOP_ROBOT_SDK
+  rm -rf "$copy"
+  mkdir -p "$copy/build/robot" "$copy/build/robot-aarch64"
+  cp -r "$SOURCE/installer" "$SOURCE"/rc.local.template "$copy/"
+  cp -r "$LAB/sdk" "$copy/build/robot/"
+  cp -r "$LAB/sdk" "$copy/build/robot-aarch64/"
+  echo 'ROBOT_ARCHITECTURE := aarch64' >>"$copy/build/robot-aarch64/sdk/share/darwinop/robot-toolchain.mk"
+  installer=$copy/installer/darwinop-install
+  controller walker 'return 0;'
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  expect_said '\(i686\)'
+  echo aarch64 >"$ROBOT/opt/darwinop/current/ARCHITECTURE"
+  run_install --controller "$LAB/pc/walker"
+  expect_said '\(aarch64\)'
+  echo armhf >"$ROBOT/opt/darwinop/current/ARCHITECTURE"
+  run_install --controller "$LAB/pc/walker"
+  expect_status 1
+  expect_said "$msg_not_built armhf: .*--robot=armhf"
+}
+
 scenario_a_link_out_of_the_folder_is_refused() {
   controller linker 'return 0;'
   echo secret >"$LAB/pc/home/.ssh/id_robot"

@@ -21,7 +21,7 @@
 #   users        darwin (password 111111, also for sudo), robotis (key $LAB/pc/key, sudo asks nothing), root (same key)
 #   PC           home $LAB/pc/home; its known_hosts already has the robot's key (forget_host_key takes it out)
 #   knobs        robot_new USERLAND (gnu, busybox) makes a fresh one; /run/… files of robot_bundle.sh control the fakes;
-#                $LAB/cpuinfo, $ROBOT/run/kernel, $ROBOT/etc/rc.local, start_sshd OPTIONS
+#                $LAB/cpuinfo, $ROBOT/run/kernel, $ROBOT/run/machine, $ROBOT/etc/rc.local, start_sshd OPTIONS
 #   power        robot_boot: kills what runs, a new boot id, /etc/rc.local or the systemd unit as root; sets $booted
 #   comparison   robot_disk > FILE: every path with type, mode, owner, content; robot_disk --touched: with inode and time
 #   variables    DARWINOP_INSTALLER (the installer to test), DARWINOP_BIN (folder of the built commands)

@@ -8,11 +8,13 @@
 #   pose-unsafe       darwinop-runtime --check-pose: exit 3 and the file's lines
 # and what they leave: booted (VERSION of the supervisor that started), doctor-calls, runtime-calls (VERSION ARGS).
 
-# fake_bundle VERSION [KILOBYTES of ballast]: prints the path of the archive.
+# fake_bundle VERSION [KILOBYTES of ballast [ARCHITECTURE]]: prints the path of the archive.
 fake_bundle() {
-  local version=$1 kilobytes=${2:-20} folder=$LAB/bundles/$1 out=$LAB/bundles/darwinop-$1-i686.tar.gz
+  local version=$1 kilobytes=${2:-20} architecture=${3:-i686} folder=$LAB/bundles/$1
+  local out=$LAB/bundles/darwinop-$1-$architecture.tar.gz
   rm -rf "$folder"
   fake_bundle_folder "$version" "$kilobytes" "$folder"
+  echo "$architecture" >"$folder/ARCHITECTURE"
   write_manifest "$folder"
   pack "$folder" "$out"
   echo "$out"

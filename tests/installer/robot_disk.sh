@@ -51,17 +51,17 @@ robot_tools() {
   ln -s true "$ROBOT/bin/sync"  # would flush this machine's disks, without use here
   cat >"$ROBOT/bin/uname" <<'END'
 #!/bin/sh
-# The robot's kernel, as /run/kernel says.
-kernel=$(cat /run/kernel)
+# The robot's kernel and computer, as /run/kernel and /run/machine say.
+kernel=$(cat /run/kernel) machine=$(cat /run/machine)
 case ${1:--s} in
   -s) echo Linux ;;
   -n) echo darwin ;;
   -r) echo "$kernel" ;;
-  -m | -p | -i) echo i686 ;;
+  -m | -p | -i) echo "$machine" ;;
   -sr) echo "Linux $kernel" ;;
-  -rm) echo "$kernel i686" ;;
-  -srm) echo "Linux $kernel i686" ;;
-  -a) echo "Linux darwin $kernel #1 SMP i686 GNU/Linux" ;;
+  -rm) echo "$kernel $machine" ;;
+  -srm) echo "Linux $kernel $machine" ;;
+  -a) echo "Linux darwin $kernel #1 SMP $machine GNU/Linux" ;;
   *) echo "uname: the test's stand-in does not know $*" >&2; exit 1 ;;
 esac
 END
@@ -124,7 +124,7 @@ END
   chmod 755 "$ROBOT/darwin/Linux/project/demo/demo"
 }
 
-# An Atom Z530 with the kernel of Ubuntu 9.10. Both may be changed at any time.
+# An Atom Z530 with the kernel of Ubuntu 9.10. All may be changed at any time.
 robot_hardware() {
   cat >"$LAB/cpuinfo" <<'END'
 processor	: 0
@@ -133,6 +133,7 @@ model name	: Intel(R) Atom(TM) CPU Z530   @ 1.60GHz
 flags		: fpu vme de tsc msr pae mce cx8 apic mtrr pge mca cmov pat clflush dts acpi mmx fxsr sse sse2 ss ht tm pbe nx constant_tsc arch_perfmon pebs bts pni dtes64 monitor ds_cpl est tm2 ssse3 xtpr pdcm movbe lahf_lm
 END
   echo 2.6.31-34-fitpc2i >"$ROBOT/run/kernel"
+  echo i686 >"$ROBOT/run/machine"
   cat /proc/sys/kernel/random/uuid >"$LAB/boot_id"
   mount --bind "$LAB/cpuinfo" "$ROBOT/proc/cpuinfo"
   mount --bind "$LAB/boot_id" "$ROBOT/proc/sys/kernel/random/boot_id"

@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # Installs the robot's SDK to a place of its own and builds a controller with it in both ways that are promised; the
-# programs have to be static ones for a 32-bit machine, and to run.
-#   cross_compiled_controllers.sh BUILD_DIRECTORY SOURCE_DIRECTORY
+# programs have to be static ones for the robot's computer, and to run.
+#   cross_compiled_controllers.sh BUILD_DIRECTORY SOURCE_DIRECTORY ARCHITECTURE [EMULATOR]
 set -euo pipefail
 build=$1
 source=$2
+architecture=$3
+emulator=${4:-}
+case $architecture in i686) machine=3 ;; amd64) machine=62 ;; armhf) machine=40 ;; aarch64) machine=183 ;; esac
 : "${CMAKE:=cmake}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -15,10 +18,11 @@ export CXX=false
 
 judge() { # PROGRAM
   local kind
-  kind=$(od -An -tu1 -j4 -N1 "$1" | tr -d ' ')
-  [ "$kind" = 1 ] || { echo "$1 is not a 32-bit program"; exit 1; }
+  kind=$(od -An -tu1 -j18 -N1 "$1" | tr -d ' ')
+  [ "$kind" = "$machine" ] || { echo "$1 is not a program for $architecture"; exit 1; }
   if grep -aq '/ld-linux' "$1"; then echo "$1 needs a loader on the robot"; exit 1; fi
-  if ! DARWINOP_ROBOT=virtual "$1" --seconds 2 >"$work/out" 2>&1; then
+  # shellcheck disable=SC2086  # no word without an emulator
+  if ! DARWINOP_ROBOT=virtual $emulator "$1" --seconds 2 >"$work/out" 2>&1; then
     echo "$1 ended badly:"
     cat "$work/out"
     exit 1
@@ -32,9 +36,9 @@ ln -s "$work/sdk/share/darwinop/Makefile.include" "$work/Makefile.include"
 make -s -C "$work/symmetry" -f Makefile.darwin-op
 judge "$work/symmetry/symmetry"
 
-echo "== cmake with toolchain/i686-linux.cmake"
+echo "== cmake with toolchain/$architecture-linux.cmake"
 "$CMAKE" -S "$source/controllers/01_hello_head" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/sdk" \
-  -DCMAKE_TOOLCHAIN_FILE="$source/toolchain/i686-linux.cmake" >>"$work/log"
+  -DCMAKE_TOOLCHAIN_FILE="$source/toolchain/$architecture-linux.cmake" >>"$work/log"
 "$CMAKE" --build "$work/cmake" >>"$work/log" || { cat "$work/log"; exit 1; }
 judge "$work/cmake/01_hello_head"
 

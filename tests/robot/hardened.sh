@@ -1,22 +1,28 @@
 #!/usr/bin/env bash
-# hardened.sh BUILD [static]: is every program of that build that is shipped hardened as tools/cmake/Hardening.cmake says?
-# static: as on a robot, nothing but darwinop-sound asks for a loader.
+# hardened.sh BUILD [static|static-fixed]: is every program of that build that is shipped hardened as
+# tools/cmake/Hardening.cmake says? static: as on a robot, nothing but darwinop-sound asks for a loader. static-fixed: nor
+# is it position-independent (toolchain/armhf-linux.cmake). NM: of the build's architecture.
 set -euo pipefail
 build=$1 kind=${2:-}
+nm() { command "${NM:-nm}" "$@"; }
+bind_now='BIND_NOW\|Flags:.* NOW'
+[ "$kind" != static-fixed ] || bind_now+='\|no dynamic section'
 failed=0
 fail() { echo "hardened.sh: $1: $2" >&2; failed=1; }
 
 check() { # PROGRAM
   local name=${1##*/} header segments dynamic symbols
   header=$(readelf -hW "$1") segments=$(readelf -lW "$1") dynamic=$(readelf -dW "$1") symbols=$(nm "$1"; nm -D "$1" 2>/dev/null)
-  grep -q 'Type: *DYN' <<<"$header" || fail "$name" "not position-independent: its addresses are the same at each start"
+  [ "$kind" = static-fixed ] || grep -q 'Type: *DYN' <<<"$header" ||
+    fail "$name" "not position-independent: its addresses are the same at each start"
   grep -q 'GNU_RELRO' <<<"$segments" || fail "$name" "no RELRO: its linkage table stays writable"
-  grep -q 'BIND_NOW\|Flags:.* NOW' <<<"$dynamic" || fail "$name" "no BIND_NOW"
+  grep -q "$bind_now" <<<"$dynamic" || fail "$name" "no BIND_NOW"
   grep -q 'GNU_STACK.* RW ' <<<"$segments" || fail "$name" "the stack is executable, or nothing is stated about it"
   ! grep -q 'LOAD.* RWE ' <<<"$segments" || fail "$name" "a segment is writable and executable"
   ! grep -q 'TEXTREL' <<<"$dynamic" || fail "$name" "relocations in its code"
   grep -q '__stack_chk_fail' <<<"$symbols" || fail "$name" "no stack protector"
-  [ "$kind" != static ] || [ "$name" = darwinop-sound ] || ! grep -q INTERP <<<"$segments" || fail "$name" "asks for a loader"
+  [[ "$kind" != static* ]] || [ "$name" = darwinop-sound ] || ! grep -q INTERP <<<"$segments" ||
+    fail "$name" "asks for a loader"
 }
 
 programs=0

@@ -10,6 +10,10 @@ endif()
 file(WRITE "${PROJECT_BINARY_DIR}/VERSION" "${DARWINOP_BUNDLE_VERSION}\n")
 install(FILES "${PROJECT_BINARY_DIR}/VERSION" DESTINATION . COMPONENT robot EXCLUDE_FROM_ALL)
 
+# Which robots it is for; the installer compares it with `uname -m` there.
+file(WRITE "${PROJECT_BINARY_DIR}/ARCHITECTURE" "${CMAKE_SYSTEM_PROCESSOR}\n")
+install(FILES "${PROJECT_BINARY_DIR}/ARCHITECTURE" DESTINATION . COMPONENT robot EXCLUDE_FROM_ALL)
+
 add_custom_target(robot_programs)
 function(darwinop_robot_program TARGET)
   install(TARGETS ${TARGET} RUNTIME DESTINATION bin COMPONENT robot EXCLUDE_FROM_ALL)

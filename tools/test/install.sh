@@ -6,5 +6,5 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
 
 builds
-build_robot
+build_robot i686
 run_tests install -j "$places"
