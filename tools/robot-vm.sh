@@ -1,11 +1,19 @@
 #!/usr/bin/env bash
-# robot-vm.sh: a robot's computer without a robot. Debian 12 i386 on an emulated Atom N270, whose /dev/ttyUSB0 is
-# the virtual CM-730 of this machine. See docs/robot-vm.md.
+# robot-vm.sh: a robot's computer without a robot: a row of robot-vm/machines/, whose /dev/ttyUSB0 is the virtual CM-730 of
+# this machine. See docs/robot-vm.md.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 repository=$(dirname "$here")
+machine=${ROBOT_VM_MACHINE:-i686}
+if [[ $machine == */* ]] || [ ! -e "$here/robot-vm/machines/$machine.sh" ]; then
+  echo "robot-vm: no machine '$machine'; ROBOT_VM_MACHINE is one of: $(basename -s .sh -a "$here"/robot-vm/machines/* | paste -sd' ')" >&2
+  exit 2
+fi
+# shellcheck source=robot-vm/machines/i686.sh
+. "$here/robot-vm/machines/$machine.sh"
 # The state of one machine: in a folder of one's own, as process ids that are signalled stand in it.
-vm=${ROBOT_VM:-${XDG_RUNTIME_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/darwinop-rt}/darwinop-robot-vm-$(id -u)}
+suffix=$([ "$machine" = i686 ] || echo "-$machine")
+vm=${ROBOT_VM:-${XDG_RUNTIME_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/darwinop-rt}/darwinop-robot-vm-$(id -u)$suffix}
 port=${ROBOT_VM_PORT:-2222}                                          # of 127.0.0.1; leads to the machine's sshd
 
 # The virtual robot of the newest build for this machine.
@@ -37,7 +45,7 @@ end() {
 
 image_folder() {
   local recipe
-  recipe=$(cat "$here/robot-vm/"* | sha256sum | cut -c1-12)
+  recipe=$(cd "$here/robot-vm" && cat -- packages *.sh *.c "machines/$machine.sh" | sha256sum | cut -c1-12)
   echo "${XDG_CACHE_HOME:-$HOME/.cache}/darwinop-rt/vm-$recipe"
 }
 
@@ -45,10 +53,10 @@ cmd_build() {
   local image making started=$SECONDS
   image=$(image_folder)
   [ -e "$image/disk.img" ] && return
-  say "making the disk image, once, about a minute"
+  say "making the disk image of $description, once: a minute; several where qemu-user runs its programs"
   mkdir -p "$(dirname "$image")"
   making=$(mktemp -d "$(dirname "$image")/making.XXXXXX")
-  if ! "$here/robot-vm/make-image.sh" "$making" >"$making/log" 2>&1; then
+  if ! "$here/robot-vm/make-image.sh" "$machine" "$making" >"$making/log" 2>&1; then
     cat "$making/log" >&2
     rm -rf "$making"
     die "the image could not be made; is the Debian archive reachable (apt-get update)?"
@@ -81,18 +89,16 @@ start_virtual_robot() {
 boot() {
   local image=$1
   [ -e "$vm/disk.qcow2" ] || qemu-img create -q -f qcow2 -F raw -b "$image/disk.img" "$vm/disk.qcow2"
-  # -cpu n270: 32 bit, SSSE3, no SSE4: an instruction that a Z530 lacks ends the program. One core with two threads and
-  # 1 GB, as the robot's.
   # cache=writeback: as a disk with a write cache. What the machine has not flushed may be lost with a power cut, and
   # what it flushed is not; 'unsafe' would lose that too, 'writethrough' would lose nothing.
   # usb-serial is an FTDI chip. serial,path= hands its bytes to the pty of the virtual robot.
-  qemu-system-i386 -name robot -machine pc -accel tcg,thread=multi -cpu n270 -smp cores=1,threads=2 -m 1024 -nodefaults -display none \
+  "$qemu" -name robot "${hardware[@]}" -accel tcg,thread=multi -nodefaults -display none \
     -kernel "$image/vmlinuz" -initrd "$image/initrd.img" \
-    -append "root=/dev/vda ro console=ttyS0 net.ifnames=0 quiet systemd.show_status=1 mitigations=off audit=0 panic=5 ${ROBOT_VM_KERNEL:-}" \
+    -append "root=/dev/vda ro console=$console net.ifnames=0 quiet systemd.show_status=1 mitigations=off audit=0 panic=5 ${ROBOT_VM_KERNEL:-}" \
     -drive "file=$vm/disk.qcow2,if=virtio,format=qcow2,cache=writeback" \
     -netdev "user,id=net,restrict=on,hostfwd=tcp:127.0.0.1:$port-:22" -device virtio-net-pci,netdev=net,romfile= \
     -device virtio-rng-pci \
-    -usb -chardev "serial,id=cm730,path=$(readlink -f "$vm/serial")" -device usb-serial,chardev=cm730,always-plugged=on \
+    -chardev "serial,id=cm730,path=$(readlink -f "$vm/serial")" -device usb-serial,chardev=cm730,always-plugged=on \
     -serial "file:$vm/console.log" -monitor "unix:$vm/monitor,server=on,wait=off" \
     -pidfile "$vm/qemu.pid" -daemonize
 }
@@ -103,13 +109,13 @@ wait_for_ssh() {
   local started=$SECONDS
   until tail -c "+$(($1 + 1))" "$vm/console.log" | grep -q 'Started.*Secure Shell'; do
     running || die "the machine ended: $(tail -n 5 "$vm/console.log")"
-    [ $((SECONDS - started)) -lt 240 ] || die "no ssh after 240 s; see $vm/console.log"
+    [ $((SECONDS - started)) -lt "$boot_limit" ] || die "no ssh after $boot_limit s; see $vm/console.log"
     sleep 0.2
   done
   ssh_root -o ConnectTimeout=60 true || die "it does not let root in; see $vm/console.log"
 }
 
-# The door of those who test. The installer goes in as darwin with the password, as on a robot.
+# The door of those who test. The installer goes in as $user with the password, as on a robot.
 ssh_root() {
   ssh -q -F none -i "$vm/key" -p "$port" -o IdentitiesOnly=yes -o BatchMode=yes -o UserKnownHostsFile="$vm/known_hosts" \
     -o StrictHostKeyChecking=yes root@127.0.0.1 "$@"
@@ -133,7 +139,7 @@ cmd_start() {
   started=$(date +%s%N)
   boot "$image"
   wait_for_ssh 0
-  say "up after $((($(date +%s%N) - started) / 1000000)) ms; ssh -p $port darwin@127.0.0.1, password 111111"
+  say "up after $((($(date +%s%N) - started) / 1000000)) ms; ssh -p $port $user@127.0.0.1, password 111111"
 }
 
 # Restarts it as the command 'reboot' does, and waits.
@@ -184,8 +190,9 @@ cmd_joints() {
 }
 
 cmd_status() {
+  echo "machine:       $description ($machine)"
   echo "image:         $(image_folder) $([ -e "$(image_folder)/disk.img" ] || echo '(not made yet)')"
-  echo "machine:       $(running && echo "runs, ssh -p $port darwin@127.0.0.1" || echo off)"
+  echo "power:         $(running && echo "runs, ssh -p $port $user@127.0.0.1" || echo off)"
   echo "virtual robot: $(alive "$vm/robot.pid" && echo "runs, $vm/robot" || echo off)"
   echo "disk:          $([ -e "$vm/disk.qcow2" ] && du -h "$vm/disk.qcow2" || echo 'as the image')"
   running

@@ -1,11 +1,14 @@
 # shellcheck shell=bash disable=SC2154
-# The virtual robot as the scenario sees it. Sourced by robot_vm_test.sh, which sets $repository and $scratch.
+# The virtual robot as the scenario sees it. Sourced by robot_vm_test.sh, which sets $repository and $scratch. Sets what the
+# table of the machine has: $user, $demo, $ways, $preset.
 
 export ROBOT_VM=$scratch/vm
 home=/opt/darwinop
+# shellcheck source=../../tools/robot-vm/machines/i686.sh
+. "$repository/tools/robot-vm/machines/${ROBOT_VM_MACHINE:-i686}.sh"
 
 vm() { "$repository/tools/robot-vm.sh" "$@"; }
-# As root, through the testers' door; the installer goes in as darwin, with the password.
+# As root, through the testers' door; the installer goes in as $user, with the password.
 guest() { vm ssh "$@"; }
 
 say() { printf '%4d s  %s\n' $((SECONDS - started)) "$*"; }
@@ -34,7 +37,7 @@ install() {
 for_controller=()
 install_once() {
   DARWINOP_PASSWORD=111111 "$repository/installer/darwinop-install" --new-host -p "$ROBOT_VM_PORT" -F none \
-    -o UserKnownHostsFile="$scratch/known_hosts" -o IdentitiesOnly=yes "$@" darwin@127.0.0.1 "${for_controller[@]}" \
+    -o UserKnownHostsFile="$scratch/known_hosts" -o IdentitiesOnly=yes "$@" "$user@127.0.0.1" "${for_controller[@]}" \
     >"$scratch/install.log" 2>&1 </dev/null
 }
 
@@ -84,15 +87,15 @@ expect_version() {
 }
 
 # Every file with kind, mode, owner and size; with its digest where an installer could have been at work. Left out is
-# what Debian writes by itself: the random seed, the logs of logins, and sudo's note that darwin has used it.
+# what Debian writes by itself: the random seed, the logs of logins, and sudo's note that the user has used it.
 # Of the users' files only the contents: useradd and userdel rewrite them, and keep backups and a lock.
 listing() {
   guest "find / -xdev \( -path /var/lib/systemd/random-seed -o -path /var/log/wtmp -o -path /var/log/btmp \
-      -o -path /var/log/lastlog -o -path /home/darwin/.sudo_as_admin_successful -o -path '/tmp/systemd-private-*' -o -path '/var/tmp/systemd-private-*' \
+      -o -path /var/log/lastlog -o -path /home/$user/.sudo_as_admin_successful -o -path '/tmp/systemd-private-*' -o -path '/var/tmp/systemd-private-*' \
       -o -path '/etc/passwd*' -o -path '/etc/group*' -o -path '/etc/shadow*' -o -path '/etc/gshadow*' -o -path '/etc/sub[ug]id*' \
       -o -path /etc/.pwd.lock \) -prune \
       -o -type d -printf '%p %y %m %U:%G\n' -o -printf '%p %y %m %U:%G %s %T@ %l\n' | sort
-    find /boot /darwin /etc /home /opt /root /srv /usr/local /var/spool -xdev -type f \
+    find /boot /etc /home /opt /root /srv /usr/local /var/spool ${demo:+/darwin} -xdev -type f \
       ! -name .sudo_as_admin_successful ! -path '/etc/*-' ! -path /etc/.pwd.lock -exec cksum {} + | sort -k 3"
 }
 

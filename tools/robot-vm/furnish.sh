@@ -1,11 +1,12 @@
 #!/bin/sh
-# furnish.sh ROOT KEY.PUB DEMO: makes the fresh Debian under ROOT look like a DARwIn-OP: its user and password, its
-# /etc/rc.local, its demo. KEY.PUB is let in as root: the door of those who test, not of the installer.
+# furnish.sh ROOT USER KEY.PUB [DEMO]: makes the fresh Debian under ROOT look like a robot's computer: its user and
+# password, with DEMO also /etc/rc.local that starts it, as on a DARwIn-OP. KEY.PUB is let in as root: the door of those
+# who test, not of the installer.
 set -eu
-root=$1
+root=$1 user=$2 key=$3 demo=${4:-}
 
-echo darwin >"$root/etc/hostname"
-echo '127.0.0.1 localhost darwin' >"$root/etc/hosts"
+echo "$user" >"$root/etc/hostname"
+echo "127.0.0.1 localhost $user" >"$root/etc/hosts"
 echo '/dev/vda / ext4 errors=remount-ro,noatime 0 1' >"$root/etc/fstab"
 # One cable, one address: as qemu's network has it. Debian's ifupdown would wait for every device first.
 cat >"$root/etc/systemd/system/network-cable.service" <<'END'
@@ -24,14 +25,14 @@ WantedBy=network.target multi-user.target
 END
 chroot "$root" systemctl --quiet enable network-cable.service
 
-# As ROBOTIS delivers it.
-chroot "$root" useradd -m -s /bin/bash -G adm,dialout,cdrom,plugdev,audio,video,sudo darwin
-echo 'darwin:111111' | chroot "$root" chpasswd
-mkdir -p "$root/darwin/Linux/project/demo"
-cp "$3" "$root/darwin/Linux/project/demo/demo"
-chmod 755 "$root/darwin/Linux/project/demo/demo"
-chroot "$root" chown -R darwin:darwin /darwin
-cat >"$root/etc/rc.local" <<'END'
+chroot "$root" useradd -m -s /bin/bash -G adm,dialout,cdrom,plugdev,audio,video,sudo "$user"
+echo "$user:111111" | chroot "$root" chpasswd
+if [ -n "$demo" ]; then  # as ROBOTIS delivers it
+  mkdir -p "$root/darwin/Linux/project/demo"
+  cp "$demo" "$root/darwin/Linux/project/demo/demo"
+  chmod 755 "$root/darwin/Linux/project/demo/demo"
+  chroot "$root" chown -R "$user:$user" /darwin
+  cat >"$root/etc/rc.local" <<'END'
 #!/bin/sh -e
 #
 # rc.local
@@ -45,11 +46,12 @@ sleep 15
 
 exit 0
 END
-chmod 755 "$root/etc/rc.local"
+  chmod 755 "$root/etc/rc.local"
+fi
 
 mkdir -p "$root/root/.ssh"
 chmod 700 "$root/root/.ssh"
-cp "$2" "$root/root/.ssh/authorized_keys"
+cp "$key" "$root/root/.ssh/authorized_keys"
 chmod 600 "$root/root/.ssh/authorized_keys"
 
 # The camera: one TV input, which scales to any size, so that 320x240 is there.

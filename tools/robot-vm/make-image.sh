@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# make-image.sh FOLDER: makes the virtual robot's disk, kernel and keys in FOLDER (empty). As root or without rights.
+# make-image.sh MACHINE FOLDER: makes the virtual robot's disk, kernel and keys in FOLDER (empty). MACHINE: a file of
+# machines/. As root or without rights.
 # FOLDER gets disk.img (ext4), vmlinuz, initrd.img, key (root's ssh key) and host_key.pub (the machine's).
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-folder=$(readlink -f "$1")
+# shellcheck source=machines/i686.sh
+. "$here/machines/$1.sh"
+folder=$(readlink -f "$2")
 mirror=$("$here/../apt-mirror.sh" bookworm)
 
 # In memory the unpacking takes half as long: dpkg waits for the disk after every file.
@@ -20,7 +23,7 @@ as_its_root=()
 [ "$(id -u)" = 0 ] || as_its_root=(mmdebstrap --unshare-helper)
 trap '"${as_its_root[@]}" find "$shared" -mindepth 1 -delete || true; rm -rf "$work"' EXIT
 
-i686-linux-gnu-gcc -O2 -static -o "$shared/demo" "$here/demo.c"
+[ -z "$demo" ] || "$compiler" -O2 -static -o "$shared/demo" "$here/demo.c"
 ssh-keygen -q -t ed25519 -N '' -C 'virtual robot' -f "$folder/key"
 cp "$folder/key.pub" "$shared/"
 
@@ -35,10 +38,16 @@ for path in /usr/share/man /usr/share/doc /usr/share/locale /usr/share/info '/li
 done
 for path in "${drivers[@]}"; do options+=(--dpkgopt="path-include=/lib/modules/*/kernel/$path*"); done
 
-packages=$(sed -E '/^#/d; s/ .*//' "$here/packages" | paste -sd,)
-mmdebstrap --quiet --variant=essential --architectures=i386 --mode=auto --format=tar --include="$packages" \
+# What this processor cannot run, qemu-user can.
+mode=(mmdebstrap --mode=auto)
+if ! arch-test "$debian" >/dev/null; then
+  mode=("$here/../test/emulated.sh" --all-users "$1" mmdebstrap --mode=root)
+  chmod 777 "$work"  # without root rights, its root is another user
+fi
+packages=$kernel,$(sed -E '/^#/d; s/ .*//' "$here/packages" | paste -sd,)
+"${mode[@]}" --quiet --variant=essential --architectures="$debian" --format=tar --include="$packages" \
   --aptopt='APT::Install-Recommends "false"' "${options[@]}" \
-  --customize-hook="sh '$here/furnish.sh' \"\$1\" '$shared/key.pub' '$shared/demo'" \
+  --customize-hook="sh '$here/furnish.sh' \"\$1\" $user '$shared/key.pub' ${demo:+'$shared/demo'}" \
   bookworm "$work/root.tar" "deb $mirror bookworm main"
 
 "${as_its_root[@]}" sh "$here/make-disk.sh" "$work/root.tar" "$shared"

@@ -6,5 +6,5 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
 
 builds
-build_robot
-tests/vm/robot_vm_test.sh rc.local systemd
+build_robot i686
+tests/vm/robot_vm_test.sh
