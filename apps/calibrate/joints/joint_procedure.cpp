@@ -1,0 +1,30 @@
+#include "apps/calibrate/joints/joint_procedure.hpp"
+
+#include <ostream>
+#include <utility>
+
+namespace darwinop::calibrate {
+
+std::vector<GravityPoint> sweepJoints(std::unique_ptr<runtime::RobotLink> link, Stand& stand,
+                                      const std::bitset<kJoints>& absent, const std::atomic<bool>& stop,
+                                      std::ostream& log) {
+  runtime::DriverSession session{std::move(link)};
+  std::vector<GravityPoint> out;
+  for (const TrunkPosture* const posture : sweepPostures()) {
+    const Held held = stand.hold(*posture);
+    if (held == Held::kEnded) break;
+    if (held == Held::kSkipped) continue;
+    Sweeper sweeper{session, absent, stop};
+    sweeper.moveTo(basePose());
+    for (const std::bitset<kJoints>& round : rounds(sweptJoints(absent))) {
+      const std::vector<GravityPoint> points = sweeper.sweep(round, posture->up);
+      out.insert(out.end(), points.begin(), points.end());
+    }
+    log << posture->name << ": swept\n";
+    sweeper.release();
+    if (stop) return {};
+  }
+  return out;
+}
+
+}  // namespace darwinop::calibrate

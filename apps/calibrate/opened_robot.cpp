@@ -1,0 +1,70 @@
+#include "apps/calibrate/opened_robot.hpp"
+
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "apps/calibrate/messages.hpp"
+#include "connect/connect.hpp"
+#include "connect/lockstep_robot.hpp"
+#include "connect/setting.hpp"
+#include "connect/twin_library.hpp"
+#include "hal/text_file.hpp"
+#include "safety/config.hpp"
+
+namespace darwinop::calibrate {
+namespace {
+
+/// The trunk is held: no move to the start pose, no kneeling at the end, and a lying robot has not fallen.
+safety::Config heldRobot() {
+  safety::Config config;
+  config.set("Safety", "start", "hold");
+  config.set("Safety", "on_exit", "limp");
+  config.set("Safety", "on_fall", "report");
+  config.set("Safety", "fall_tilt", "170");
+  return config;
+}
+
+connect::RobotFile fileNamed(const std::string& path) {
+  const auto text = path.empty() ? std::nullopt : readTextFile(path);
+  return text ? connect::parseRobotFile(*text, path) : connect::RobotFile{};
+}
+
+OpenedRobot openTwin(const std::string& model, const std::string& file) {
+  OpenedRobot out{.link = {}, .stand = {}, .file = fileNamed(file), .is_twin = true};
+  runtime::LoopConfig config;
+  config.safety = connect::safetyOn(out.file, heldRobot(), "darwinop calibrate");
+  config.port = "twin in memory";
+  std::unique_ptr<Body> body = connect::makeTwin(model, connect::twinSeed());
+  out.stand = std::make_unique<TwinClamp>(*body);
+  out.link = connect::lockstepRobot(config, std::move(body), {out.file.offsets, out.file.imu});
+  return out;
+}
+
+}  // namespace
+
+OpenedRobot openRobot(const std::string& setting, const std::string& file, bool unattended) {
+  // A file that does not exist yet: programs read the defaults, not another robot's file.
+  if (!file.empty()) setenv("DARWINOP_ROBOT_FILE", readTextFile(file) ? file.c_str() : "/dev/null", 1);
+  const connect::Setting robot = connect::readSetting(setting);
+  if (connect::loopIsElsewhere(robot)) throw std::runtime_error("--robot " + setting + messages::kOtherLoop);
+  if (robot.kind == connect::RobotKind::kTwin) return openTwin(robot.model, file);
+  if (unattended) throw std::runtime_error(messages::kNeedsHands);
+  connect::ConnectRequest request;
+  request.setting = setting;
+  request.safety = heldRobot();
+  request.config_file = "darwinop calibrate";
+  OpenedRobot out;
+  if (robot.kind == connect::RobotKind::kSerial) out.file = connect::readRobotFile();
+  out.stand = std::make_unique<OwnersHands>(std::cin, std::cout);
+  out.link = connect::connect(request);
+  return out;
+}
+
+std::string fileToWrite(const OpenedRobot& robot, const std::string& file) {
+  if (!file.empty() || robot.is_twin) return file;
+  return connect::robotFilePath();
+}
+
+}  // namespace darwinop::calibrate
