@@ -134,10 +134,13 @@ BamLog parseBamLog(std::string_view json, const std::string& file, const std::st
 std::string asBamJson(const Case& c, const Trajectory& log, std::string_view motor) {
   const twin::Pendulum arm = armOf(c, log);
   Json entries = Json::array();
+  // BAM's recorder writes before it reads: a command that was written after a read belongs to the next row.
+  const bool after_read = c.goal_order == GoalOrder::kAfterRead;
   for (std::size_t row = 0; row < log.rows(); ++row) {
+    const std::size_t command = after_read && row > 0 ? row - 1 : row;
     Json entry = {{"timestamp", log.time_s[row]},
-                  {"goal_position", log.goal_rad[row]},
-                  {"torque_enable", log.torque_on[row] != 0}};
+                  {"goal_position", log.goal_rad[command]},
+                  {"torque_enable", log.torque_on[command] != 0}};
     const auto add = [&](const char* key, const std::vector<double>& column) {
       if (row < column.size() && !std::isnan(column[row])) entry[key] = column[row];
     };

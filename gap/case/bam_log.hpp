@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gap/case/case.hpp"
+#include "gap/case/raw_folder.hpp"
 
 namespace darwinop::gap {
 
@@ -25,12 +25,6 @@ BamLog parseBamLog(std::string_view json, const std::string& file, const std::st
 std::string asBamJson(const Case& c, const Trajectory& log, std::string_view motor);
 
 /// All *.json of a folder, by name, as a case whose servo is that of a model file, or of a shipped model's name. Held
-/// out are the logs named in `held_out`; without any, those of the greatest P gain, or the last quarter of one
-/// gain, rounded up; never a lone log. Throws BadInput, also for a name without a log in the folder.
-struct BamCase {
-  Case given;
-  std::vector<std::string> notes;
-};
-BamCase readBamFolder(const std::string& folder, const std::string& model, const std::vector<std::string>& held_out);
-
+/// out: holdOut(). Throws BadInput.
+FolderCase readBamFolder(const std::string& folder, const std::string& model, const std::vector<std::string>& held_out);
 }  // namespace darwinop::gap

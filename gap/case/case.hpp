@@ -47,6 +47,9 @@ struct Trajectory {
   std::vector<double> time_s;  // rises
   std::vector<double> goal_rad;
   std::vector<double> position_rad;  // NaN: masked, or not read
+  // Of a recording of the runtime: when in a row its goals were written and the servo was read, s after time_s. Empty:
+  // both at time_s, in GoalOrder.
+  std::vector<double> written_s, read_s;
   std::vector<std::uint8_t> torque_on;
   std::vector<double> speed_rad_s, load, volt_v, temp_c;  // load: -1 to 1. NaN where the log has none
   std::vector<double> current_a;     // as the servo reports it; empty or NaN: not known. Nothing is fitted to it
@@ -59,6 +62,8 @@ struct Trajectory {
   [[nodiscard]] double pRegisterAt(std::size_t row) const {
     return p_register_of_row.empty() ? p_register : p_register_of_row[row];
   }
+  /// A reading is that of a servo which has its own row's goals already.
+  [[nodiscard]] bool isReadAfterWrite() const { return !read_s.empty(); }
   [[nodiscard]] double duration_s() const { return time_s.empty() ? 0 : time_s.back() - time_s.front(); }
 };
 
@@ -84,6 +89,7 @@ struct Case {
   std::vector<Prior> priors;
   std::optional<Datasheet> datasheet;
   std::vector<Trajectory> logs;
+  std::vector<Trajectory> others;  // that nothing is fitted to and nothing is chosen by: error before and after alone
   std::vector<std::string> warnings;  // sentences about data that are unusual but usable
 };
 

@@ -72,6 +72,7 @@ std::string asText(const DataCheck& check) {
   out += printed("fit: payload %s kg, P register %s, %.1f %% of the time under torque at full load, session %s s\n",
                  listed(check.fit.payloads_kg).c_str(), listed(check.fit.p_registers).c_str(), share(check.fit),
                  range(check.fit.session_s, "%.0f to %.0f").c_str());
+  if (check.repeats_rad >= 0) out += printed("repeats differ by %.2f mrad\n", 1e3 * check.repeats_rad);
   for (const bool reveals : {true, false}) {
     out += std::string{"\n"} + (reveals ? messages::kCanReveal : messages::kCannotReveal) + "\n";
     bool any = false;

@@ -57,6 +57,7 @@ struct DataFinding {
   std::string sentence;                   // for the user
   std::vector<std::string_view> effects;  // that cannot be distinguished, or not be seen; ids of the catalogue
   std::string_view remedy;                // what to measure; empty when it reveals
+  std::optional<twin::LogFeature> feature = std::nullopt;  // that effects are observable by
 };
 
 struct DataCheck {
@@ -64,6 +65,7 @@ struct DataCheck {
   Excitation fit;       // all logs that are fitted, copies once
   Excitation held_out;  // all held-out logs
   bool has_repeats = false;
+  double repeats_rad = 0;             // standard deviation of positions over all repeats; NaN: none
   std::vector<DataFinding> findings;  // what cannot be seen first
   std::vector<Contradiction> contradictions;
   std::vector<std::string> masked;  // sentences on readings that count nowhere, by log and column

@@ -73,7 +73,7 @@ Datasheet readDatasheet(Fields sheet, const twin::ServoParameters& baseline, std
   out.relative_sigma = sheet.number("rel_sigma", kRelativeSigma, out.relative_sigma);
   for (const std::string_view key : {"gear_ratio", "backlash_rad", "position_p_divisor", "pwm_limit"}) sheet.leave(key);
   for (const std::string& key : sheet.untaken())
-    warnings.push_back(sheet.file() + ": " + logs::quoted("servo_datasheet." + key) +
+    warnings.push_back(sheet.file() + ": " + logs::quotedField("servo_datasheet." + key) +
                        " is not understood and left aside");
   return out;
 }

@@ -19,7 +19,7 @@ constexpr auto kForPeople = std::to_array<std::string_view>(
 
 /// As an error shows it.
 std::string shown(const Json& value) {
-  if (value.is_string()) return logs::quoted(value.get_ref<const std::string&>());
+  if (value.is_string()) return logs::quotedField(value.get_ref<const std::string&>());
   if (value.is_object()) return "an object";
   if (value.is_array()) return "a list";
   return value.dump();
@@ -138,7 +138,7 @@ void Fields::finish(std::vector<std::string>& warnings) const {
     if (const auto meant = std::ranges::find_if(known, within); meant != known.end())
       fail(key, std::string{messages::kUnknownKey} + "; did you mean " + std::string{*meant} + "?");
     if (text::nearest(key, known)) fail(key, std::string{messages::kUnknownKey} + "; " + text::suggestion(key, known));
-    warnings.push_back(file_ + ": " + logs::quoted(pathOf(key)) + " " + messages::kUnknownKey + " and left out");
+    warnings.push_back(file_ + ": " + logs::quotedField(pathOf(key)) + " " + messages::kUnknownKey + " and left out");
   }
 }
 
@@ -149,7 +149,7 @@ std::vector<std::string> Fields::keys() const {
 }
 
 void Fields::fail(std::string_view key, const std::string& sentence) const {
-  std::string path = logs::quoted(pathOf(key));
+  std::string path = logs::quotedField(pathOf(key));
   path.front() = '`';
   path.back() = '`';
   throw BadInput(file_ + ": " + path + " " + sentence);
@@ -178,7 +178,7 @@ Json parseJson(std::string_view text, const std::string& file) {
     if (event == Event::object_start) keys.emplace_back();
     if (event == Event::object_end) keys.pop_back();
     if (event == Event::key && !keys.back().insert(parsed.get_ref<const std::string&>()).second)
-      throw BadInput(file + ": the key " + logs::quoted(parsed.get_ref<const std::string&>()) + " " +
+      throw BadInput(file + ": the key " + logs::quotedField(parsed.get_ref<const std::string&>()) + " " +
                      messages::kGivenTwice + " in one object; keep one of the two");
     return true;
   };

@@ -1,4 +1,5 @@
 // One entry of the list of logs in a case.json.
+#include <array>
 #include <limits>
 
 #include "core/text/nearest.hpp"
@@ -49,15 +50,18 @@ std::string logFileIn(Fields& entry) {
   return file;
 }
 
-bool heldOutIn(Fields& entry) {
-  return entry.word("role", {"fit", "held_out", "score"}, 3) > 0;
+EntryRole roleIn(Fields& entry) {
+  constexpr std::array kRoles{EntryRole::kFit, EntryRole::kHeldOut, EntryRole::kOther, EntryRole::kHeldOut};
+  return kRoles.at(entry.word("role", {"fit", "held_out", "other", "score"}, kRoles.size()));
 }
 
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   LogEntry out{};
   out.head.file = logFileIn(entry);
   out.head.kind = entry.text("trajectory", kindOf(out.head.file));
-  out.head.held_out = heldOutIn(entry);
+  const EntryRole role = roleIn(entry);
+  out.head.held_out = role == EntryRole::kHeldOut;
+  out.is_other = role == EntryRole::kOther;
   for (const ArmKey& key : armKeys())
     if (key.member == nullptr)
       out.head.payload_kg = entry.number(key.json, key.rule);

@@ -17,7 +17,9 @@ inline constexpr const char* kNotJsonObject = "not a JSON object";
 inline constexpr const char* kOtherColumn = "is an encoding of another column";
 inline constexpr const char* kOtherDatasheetVoltage = "is of another voltage than ";
 inline constexpr const char* kOtherGainOrPayload = "which has another kp, payload, arm or supply";
+inline constexpr const char* kOtherOfBody = "is other, which only a case of one servo has; take fit or held_out";
 inline constexpr const char* kOtherJoint = "is another one than that of `logs[0]`";
+inline constexpr const char* kRepeatOfAnother = "names or is a log with \"role\": \"other\"";
 inline constexpr const char* kRepeatOfItself = "names the log itself";
 inline constexpr const char* kRepeatOfNothing = "names no log of this case";
 inline constexpr const char* kSecondSigma = "stands for a number that has a sigma already";
@@ -27,12 +29,23 @@ inline constexpr const char* kWholeRobot =
     "is body: a case of the whole robot, which `check`, `locate` and `run` take; docs/gap/body.md";
 inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
 
+inline constexpr const char* kUnusableLogs = " cannot be used, the first because of ";
+inline constexpr const char* kLeftOut = "a log is left out: ";
+
 // BAM
 inline constexpr const char* kNoBamLogs = "has no *.json; give the folder with the logs of BAM";
 inline constexpr const char* kNoTorqueEnable = " rows have no torque_enable and count as torque on";
 inline constexpr const char* kNotBamRow = "has a row without timestamp or goal_position; is this a raw log of BAM?";
-inline constexpr const char* kNotLogOfFolder = " is none of the *.json of ";
+inline constexpr const char* kNotLogOfFolder = " is none of the logs of ";
 inline constexpr const char* kSeveralMotors = "logs of several motors; put each into a folder of its own";
+
+// folders of raw logs
+inline constexpr const char* kNotDeclared = ": the logs do not contain all that is needed; declare";
+inline constexpr const char* kNotDeclarable = "cannot be declared; there are ";
+inline constexpr const char* kNoGoalOfJoint = "there is no goal of joint ";
+inline constexpr const char* kNotKeyValue = "is not KEY=VALUE, as in --declare kp=32";
+inline constexpr const char* kSeveralValues = "has several values; cut the log where it changes";
+inline constexpr const char* kUnitLeftOut = "has a unit that is not known, and is left out";
 
 // logs
 inline constexpr const char* kJointNotGiven = "a recording has twenty joints; give the joint of the log";

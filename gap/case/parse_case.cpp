@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "experiments/logs/read_log.hpp"
 #include "gap/case/bad_rows.hpp"
@@ -31,7 +32,8 @@ std::vector<LogEntry> readEntries(Fields& top, std::vector<std::string>& warning
     if (entries.back().joint != entries.front().joint)
       entry.fail("joint", std::string{messages::kOtherJoint} + "; a case is of one joint");
   }
-  const bool fit = std::ranges::any_of(entries, [](const LogEntry& entry) { return !entry.head.held_out; });
+  const bool fit =
+      std::ranges::any_of(entries, [](const LogEntry& entry) { return !entry.head.held_out && !entry.is_other; });
   if (!fit) top.fail("logs", std::string{messages::kNoFitLog} + "; there is nothing to learn from");
   return entries;
 }
@@ -47,6 +49,8 @@ void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
     if (found == entries.end())
       top.fail(name_of(i), std::string{messages::kRepeatOfNothing} + "; it has to be the file of one");
     of[i] = static_cast<std::size_t>(found - entries.begin());
+    if (found->is_other || entries[i].is_other)
+      top.fail(name_of(i), std::string{messages::kRepeatOfAnother} + "; only fit and held_out have repeats");
     if (of[i] == i) top.fail(name_of(i), std::string{messages::kRepeatOfItself} + "; name the one before");
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -55,6 +59,17 @@ void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
       if (steps > entries.size()) top.fail(name_of(i), "is circular; name the first log");
     entries[i].head.repeat_of = first;
   }
+}
+
+/// Logs and others, each in the order of the entries.
+void append(std::vector<LogEntry>& entries, Case& into) {
+  std::vector<std::size_t> index;  // of an entry in `logs`
+  for (LogEntry& entry : entries) {
+    index.push_back(into.logs.size());
+    (entry.is_other ? into.others : into.logs).push_back(std::move(entry.head));
+  }
+  for (Trajectory& log : into.logs)
+    if (log.repeat_of) log.repeat_of = index[*log.repeat_of];
 }
 
 logs::Log readRegularLog(const fs::path& path) {
@@ -74,6 +89,51 @@ void takeOrder(Fields& top, bool recording, Case& into) {
 }
 
 }  // namespace
+
+namespace {
+
+/// Takes the rows of a log. What is wrong with it, if anything.
+std::optional<BadInput> fill(LogEntry& entry, Fields& top, const Encodings& raw, const CaseFiles& files, Case& into) {
+  try {
+    const logs::Log log = loadLog(files, entry.head.file);
+    takeOrder(top, log.recording, into);
+    into.warnings.insert(into.warnings.end(), log.warnings.begin(), log.warnings.end());
+    fillTrajectory(log, raw, entry, into.warnings);
+    checkLog(entry.head, log.file, into);
+    return std::nullopt;
+  } catch (const BadInput& reason) {
+    return reason;
+  }
+}
+
+/// Those that can be used.
+std::vector<LogEntry> filled(std::vector<LogEntry> entries, Fields& top, const Encodings& raw, const CaseFiles& files,
+                             Case& into) {
+  std::vector<LogEntry> usable;
+  std::optional<BadInput> last;
+  for (LogEntry& entry : entries) {
+    const std::optional<BadInput> wrong = fill(entry, top, raw, files, into);
+    if (!wrong) {
+      usable.push_back(std::move(entry));
+      continue;
+    }
+    if (!files.leave_out) throw BadInput{*wrong};
+    files.leave_out(*wrong);
+    last = wrong;
+  }
+  if (usable.empty()) throw BadInput{*last};
+  return usable;
+}
+
+}  // namespace
+
+void checkLog(Trajectory& log, const std::string& file, Case& of) {
+  checkRows(log, file);
+  maskBadRows(log, file, of);
+  checkUnits(log, file, of);
+  checkSensor(log, file, of);
+  checkLoadSign(log, file, of);
+}
 
 logs::Log loadLog(const CaseFiles& files, const std::string& name) {
   try {
@@ -106,20 +166,10 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   out.logs.clear();
   top.finish(out.warnings);
 
-  for (LogEntry& entry : entries) {
-    const logs::Log log = loadLog(files, entry.head.file);
-    takeOrder(top, log.recording, out);
-    out.warnings.insert(out.warnings.end(), log.warnings.begin(), log.warnings.end());
-    fillTrajectory(log, raw, entry, out.warnings);
-    checkRows(entry.head, log.file);
-    maskBadRows(entry.head, log.file, out);
-    checkUnits(entry.head, log.file, out);
-    checkSensor(entry.head, log.file, out);
-    checkLoadSign(entry.head, log.file, out);
-    out.logs.push_back(std::move(entry.head));
-  }
-  const auto clockless = std::ranges::count_if(entries, [](const LogEntry& e) { return !e.session_start_s; });
-  if (clockless > 0 && entries.size() > 1)
+  std::vector<LogEntry> usable = filled(std::move(entries), top, raw, files, out);
+  append(usable, out);
+  const auto clockless = std::ranges::count_if(usable, [](const LogEntry& e) { return !e.session_start_s; });
+  if (clockless > 0 && usable.size() > 1)
     out.warnings.push_back(file +
                            ": logs without t0_session_s count as the first of the session; what wears and warms "
                            "cannot be seen then");
@@ -137,9 +187,11 @@ std::string caseTextIn(const std::string& folder) {
     throw BadInput(error.what());
   }
   if (!text)
-    throw BadInput(file +
-                   ": there is no such file. It lists the logs of a case and its model: copy "
-                   "the one of the shipped example and change it, docs/gap/cases.md explains each key");
+    throw BadInput(
+        file +
+        ": there is no such file. It lists the logs of a case and its model: copy "
+        "the one of the shipped example and change it, docs/gap/cases.md explains each key; `darwinop gap run` "
+        "makes one of raw logs");
   return *text;
 }
 

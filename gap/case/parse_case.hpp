@@ -14,6 +14,9 @@ namespace darwinop::gap {
 struct CaseFiles {
   std::function<logs::Log(const std::string& name)> log;
   std::function<twin::Model(const std::string& name)> model;
+  /// Takes what is wrong with a log that is left out of the case; of a case without repeats. Empty: parseCase throws
+  /// it.
+  std::function<void(const BadInput& reason)> leave_out = {};
 };
 
 /// Files in the folder of a case; a model may also be one of the shipped ones.

@@ -1,6 +1,7 @@
 // The parts of a case.json, each read by a file of its own.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -28,7 +29,8 @@ Encodings readEncodings(Fields& top);
 
 /// One entry of `logs`.
 struct LogEntry {
-  Trajectory head;      // without rows
+  Trajectory head;  // without rows
+  bool is_other = false;
   std::string repeats;  // name of a log; empty: none
   std::optional<double> p_register;
   std::optional<double> session_start_s;
@@ -37,9 +39,10 @@ struct LogEntry {
   double hangs_at_rad;         // angle of the joint at which the arm hangs down; a case counts from there
 };
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);
-/// Of an entry: `file`, which must be in the folder, and whether `role` is held_out.
+/// Of an entry: `file`, which must be in the folder, and `role`.
 std::string logFileIn(Fields& entry);
-bool heldOutIn(Fields& entry);
+enum class EntryRole : std::uint8_t { kFit, kHeldOut, kOther };
+EntryRole roleIn(Fields& entry);
 
 /// The rows of a log. A recording of the runtime, docs/logs.md, also has some values of `entry`. Throws
 /// BadInput for a column that is missing or has a wrong unit, and for a value that is missing. `raw`: of columns with

@@ -8,7 +8,8 @@
 namespace darwinop::gap {
 
 /// Of one log, which errors call `file`. Throw BadInput with file, line and what to do; what is merely odd goes to the
-/// warnings of the case.
+/// warnings of the case. checkLog does all, and masks lone false readings.
+void checkLog(Trajectory& log, const std::string& file, Case& of);
 void checkRows(const Trajectory& log, const std::string& file);
 void checkUnits(const Trajectory& log, const std::string& file, Case& c);
 void checkSensor(const Trajectory& log, const std::string& file, const Case& c);

@@ -128,7 +128,7 @@ std::vector<DataFinding> reveals(const DataCheck& check, const Case& c) {
   for (const bool wanted : {false, true})
     for (const Rule& rule : kRules) {
       if (rule.reveals(seen) != wanted) continue;
-      DataFinding finding{rule.id, wanted, std::string{wanted ? rule.can : rule.cannot}, {}, {}};
+      DataFinding finding{rule.id, wanted, std::string{wanted ? rule.can : rule.cannot}, {}, {}, rule.feature};
       if (!wanted && rule.feature) finding.effects = revealedBy(*rule.feature);
       if (!wanted) finding.remedy = rule.remedy;
       findings.push_back(std::move(finding));

@@ -43,8 +43,9 @@ const logs::Column* columnFor(const logs::Log& log, const Wanted& wanted) {
     const bool alike = bare == wanted.name || column.name.starts_with(std::string{wanted.name} + "_");
     if (!alike) continue;
     if (found != nullptr)
-      throw BadInput(log.file + ": columns " + logs::quoted(found->name) + " and " + logs::quoted(column.name) +
-                     " both contain the " + std::string{wanted.name} + "; keep one of the two");
+      throw BadInput(log.file + ": columns " + logs::quotedField(found->name) + " and " +
+                     logs::quotedField(column.name) + " both contain the " + std::string{wanted.name} +
+                     "; keep one of the two");
     found = &column;
   }
   if (found == nullptr && wanted.needed)
@@ -59,7 +60,7 @@ void takeRaw(const logs::Log& log, const logs::Column& column, const Encodings& 
              const std::vector<std::size_t>& rows, std::vector<double>& values) {
   const auto found = raw.find(column.name);
   if (found == raw.end())
-    throw BadInput(log.file + ": column " + logs::quoted(column.name) + " " + messages::kNoEncoding +
+    throw BadInput(log.file + ": column " + logs::quotedField(column.name) + " " + messages::kNoEncoding +
                    "; declare it in `encodings` of the case, docs/gap/cases.md has the names");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double count = column.values[rows[i]];
@@ -76,7 +77,7 @@ double factorOf(const logs::Log& log, const logs::Column& column, const Wanted& 
     if (unit == column.unit) return text::unitFactor(unit, wanted.si).value();
     allowed.append(allowed.empty() ? "" : " or ").append(unit);
   }
-  throw BadInput(log.file + ": the unit of column " + logs::quoted(column.name) + " is " +
+  throw BadInput(log.file + ": the unit of column " + logs::quotedField(column.name) + " is " +
                  (column.unit.empty() ? "not known" : column.unit) + "; it has to be " + allowed +
                  ", at the end of the name: " + std::string{wanted.usual});
 }

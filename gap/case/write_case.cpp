@@ -97,22 +97,25 @@ Json datasheetOf(const Datasheet& sheet) {
   return out;
 }
 
+Json entryOf(const Case& c, const Trajectory& log, const char* role) {
+  Json entry = {{"file", log.file},
+                {"role", role},
+                {"trajectory", log.kind},
+                {"kp", log.p_register},
+                {"payload_kg", log.payload_kg},
+                {"t0_session_s", log.session_start_s},
+                {"repeat_of", log.repeat_of ? Json(c.logs[*log.repeat_of].file) : Json(nullptr)}};
+  for (const ArmKey& key : armKeys())
+    if (key.of_log != nullptr && log.*key.of_log) entry[std::string{key.json}] = *(log.*key.of_log);
+  if (log.supply_v) entry["supply_V"] = *log.supply_v;
+  if (log.speed_limit_rad_s > 0) entry["speed_limit_rad_s"] = log.speed_limit_rad_s;
+  return entry;
+}
+
 Json logsOf(const Case& c) {
   Json list = Json::array();
-  for (const Trajectory& log : c.logs) {
-    Json entry = {{"file", log.file},
-                  {"role", log.held_out ? "held_out" : "fit"},
-                  {"trajectory", log.kind},
-                  {"kp", log.p_register},
-                  {"payload_kg", log.payload_kg},
-                  {"t0_session_s", log.session_start_s},
-                  {"repeat_of", log.repeat_of ? Json(c.logs[*log.repeat_of].file) : Json(nullptr)}};
-    for (const ArmKey& key : armKeys())
-      if (key.of_log != nullptr && log.*key.of_log) entry[std::string{key.json}] = *(log.*key.of_log);
-    if (log.supply_v) entry["supply_V"] = *log.supply_v;
-    if (log.speed_limit_rad_s > 0) entry["speed_limit_rad_s"] = log.speed_limit_rad_s;
-    list.push_back(std::move(entry));
-  }
+  for (const Trajectory& log : c.logs) list.push_back(entryOf(c, log, log.held_out ? "held_out" : "fit"));
+  for (const Trajectory& log : c.others) list.push_back(entryOf(c, log, "other"));
   return list;
 }
 
@@ -176,11 +179,12 @@ void writeCase(const Case& c, const std::string& folder) {
   const bool plain = fitsBaseline(c);
   write(fs::path{folder} / "case.json", caseAsJson(c, !plain));
   if (!plain) write(fs::path{folder} / "model.ini", twin::writeModel(c.model));
-  for (const Trajectory& log : c.logs) {
-    const fs::path path = fs::path{folder} / log.file;
-    fs::create_directories(path.parent_path(), failed);
-    write(path, logAsCsv(log));
-  }
+  for (const std::vector<Trajectory>* const logs : {&c.logs, &c.others})
+    for (const Trajectory& log : *logs) {
+      const fs::path path = fs::path{folder} / log.file;
+      fs::create_directories(path.parent_path(), failed);
+      write(path, logAsCsv(log));
+    }
 }
 
 }  // namespace darwinop::gap

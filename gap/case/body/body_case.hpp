@@ -35,16 +35,19 @@ struct BodyLog {
   std::optional<std::size_t> repeat_of;  // index of the log that this one repeats
   double battery_v = 0;
 
-  std::vector<double> time_s;
+  std::vector<double> time_s;          // from row 0
   AxesColumns gyro_rad_s, accel_m_s2;  // in the sensor's axes
   std::vector<double> board_v;
-  std::size_t lost_rows = 0;  // gaps in `cycle`
+  std::size_t lost_rows = 0;    // gaps in `cycle`
+  double from_s = 0, to_s = 0;  // what is used of the file, on its own clock
+  bool is_phase_known = true;   // the servos' firmware runs in step with the rows
 
   [[nodiscard]] std::size_t rows() const { return time_s.size(); }
 };
 
 struct BodyCase {
   std::string name, folder;
+  std::string model;  // as case.json names it: a file in the folder, or a shipped model
   /// Model, priors, and each servo as a log of its own: joint j of log i is joints.logs[i * kJoints + j]. The pendulum
   /// of this case has no meaning.
   Case joints;

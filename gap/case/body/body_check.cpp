@@ -12,7 +12,6 @@ namespace {
 constexpr double kFallen = kPi / 3;              // rad of tilt against the start: no gait or squat comes near
 constexpr double kFallWindow = 0.2;              // s over which the accelerometer is averaged: footsteps are shorter
 constexpr double kUnmoved = 4 * 2 * kPi / 4096;  // rad: noise of an encoder is a tick
-constexpr double kClampedRate = 0.3;             // rad/s about the median: five steps of the register
 constexpr double kIndependent = 0.3;             // sine of the least angle between directions of gravity
 
 double medianOf(std::vector<double> values) {

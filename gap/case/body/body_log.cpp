@@ -1,12 +1,15 @@
-// The rows of one recording of a whole robot. A row's goals act from its read on, as GoalOrder::kAfterRead: see
-// gap/case/recording.cpp.
+// The rows of one recording of a whole robot.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "core/conversions.hpp"
 #include "core/registers.hpp"
+#include "core/servo_limits.hpp"
 #include "core/units.hpp"
 #include "gap/case/bad_rows.hpp"
 #include "gap/case/body/parse_body_case.hpp"
+#include "gap/case/body/wire_schedule.hpp"
 #include "gap/case/servo_columns.hpp"
 
 namespace darwinop::gap {
@@ -68,6 +71,38 @@ void checkAnswers(const logs::Log& log, const logs::Column& position) {
                    std::to_string(log.rows()) + " rows; check the cable of that servo and measure again");
 }
 
+/// The servo's own speed limit, rad/s; 0: none is known. Where it changes it is not replayed.
+double speedLimitOf(const logs::Column* column) {
+  if (column == nullptr) return 0;
+  double found = 0;
+  for (const double limit : column->values) {
+    if (std::isnan(limit)) continue;
+    if (found != 0 && found != limit) return 0;
+    found = limit;
+  }
+  return found;
+}
+
+/// The goal as the servo's register has it.
+double inTicks(double goal_rad) {
+  return radFromTicks(ticksFromRad(Rad{goal_rad})).value;
+}
+
+/// The rows that the case declares: the log is shorter then.
+logs::Log cutToSize(logs::Log log, const BodyLog& head) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < log.rows(); ++row)
+    if (log.seconds(row) >= head.from_s && log.seconds(row) <= head.to_s) rows.push_back(row);
+  if (rows.size() == log.rows()) return log;
+  const auto keep = [&rows](auto& values) {
+    for (std::size_t i = 0; i < rows.size(); ++i) values[i] = values[rows[i]];
+    values.resize(rows.size());
+  };
+  for (logs::Column& column : log.columns) keep(column.values);
+  keep(log.lines);
+  return log;
+}
+
 Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
   constexpr const Register& gain = find(kMx28, "p_gain");
   const ServoColumns columns = servoColumns(log, joint, NeededColumns::kLaw);
@@ -84,18 +119,22 @@ Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
   out.supply_v = head.battery_v;
   out.session_start_s = head.session_start_s;
   out.time_s = head.time_s;
+  out.speed_limit_rad_s = speedLimitOf(columns.speed_limit);
   double goal = std::isnan(columns.goal->values[0]) ? columns.position->values[0] : columns.goal->values[0];
   for (std::size_t row = 0; row < log.rows(); ++row) {
     if (!std::isnan(columns.goal->values[row])) goal = columns.goal->values[row];
-    appendRow(log, columns, row, goal, out);
-    out.p_register_of_row.push_back(columns.p_gain->values[row] / gain.scale);
+    appendRow(log, columns, row, inTicks(goal), out);
+    // A controller that asks for no gain gets the factory's.
+    const double asked = columns.p_gain->values[row];
+    out.p_register_of_row.push_back((std::isnan(asked) ? kDefaultPGain : asked) / gain.scale);
   }
   return out;
 }
 
 }  // namespace
 
-void fillBodyLog(const logs::Log& recording, BodyLog& log, std::vector<Trajectory>& joints) {
+void fillBodyLog(const logs::Log& file, BodyLog& log, std::vector<Trajectory>& joints) {
+  const logs::Log recording = cutToSize(file, log);
   if (recording.rows() < kFewestRows)
     throw BadInput(recording.file + ": " + std::to_string(recording.rows()) + " rows, and a log needs at least " +
                    std::to_string(kFewestRows) + "; record for longer");
@@ -107,6 +146,8 @@ void fillBodyLog(const logs::Log& recording, BodyLog& log, std::vector<Trajector
   log.lost_rows = lostRows(recording);
   for (std::size_t joint = 0; joint < kJoints; ++joint)
     joints.push_back(jointOf(recording, log, static_cast<Joint>(joint)));
+  fillWireSchedule(recording, std::span{joints}.last(kJoints));
+  log.is_phase_known = !joints.back().isReadAfterWrite() || isInLockstep(recording);
 }
 
 }  // namespace darwinop::gap

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "gap/case/fields.hpp"
 #include "gap/case/messages.hpp"
@@ -16,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr twin::NumberRule kSession{"s", 0, 1e7};
+constexpr twin::NumberRule kClock{"s", -1e9, 1e9};
 constexpr twin::NumberRule kDirection{"", -1, 1};
 constexpr double kUnitLength = 0.01;  // by which `up` may differ from 1: it is written with four decimals
 
@@ -69,10 +71,16 @@ void readUp(Fields& entry, BodyLog& into) {
 std::pair<BodyLog, std::string> readBodyEntry(Fields& entry, std::vector<std::string>& warnings) {
   BodyLog out;
   out.file = logFileIn(entry);
-  out.held_out = heldOutIn(entry);
+  const EntryRole role = roleIn(entry);
+  if (role == EntryRole::kOther) entry.fail("role", messages::kOtherOfBody);
+  out.held_out = role == EntryRole::kHeldOut;
   out.setup = static_cast<BodySetup>(entry.word("setup", kSetups, kSetups.size()));
   readUp(entry, out);
   out.session_start_s = entry.number("session_s", kSession, 0);
+  out.from_s = entry.number("from_s", kClock, -std::numeric_limits<double>::infinity());
+  out.to_s = entry.number("to_s", kClock, std::numeric_limits<double>::infinity());
+  if (out.from_s >= out.to_s)
+    entry.fail("to_s", std::string{messages::kEndBeforeStart} + "; nothing is left of the log");
   out.battery_v = entry.number("battery_V", twin::findKey("servo", "supply")->number);
   std::string repeats = entry.text("repeat_of", "");
   entry.finish(warnings);
@@ -118,7 +126,8 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
   out.name = top.text("case", path.parent_path().filename().string());
   (void)top.word("family", {"body"}, 1);
   try {
-    out.joints.model = files.model(top.text("model"));
+    out.model = top.text("model");
+    out.joints.model = files.model(out.model);
   } catch (const BadInput&) {
     throw;
   } catch (const std::runtime_error& error) {

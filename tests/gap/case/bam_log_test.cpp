@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 
+#include "gap/case/bam_text.hpp"
 #include "gap/case/case_texts.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parse_case.hpp"
@@ -20,28 +20,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A log of 200 rows; `load` and `torque` are texts of numbers by row.
-std::string bamText(const std::function<std::string(int)>& load, const std::function<std::string(int)>& torque,
-                    const std::string& head = "\"kp\": 32, \"motor\": \"mx106\"") {
-  std::string entries;
-  for (int i = 0; i < 200; ++i) {
-    const double t = 0.0125 * i;
-    entries += (i == 0 ? "" : ",") + std::string{"{\"timestamp\": "} + std::to_string(t) +
-               ", \"goal_position\": " + std::to_string(0.5 * std::sin(3 * t)) +
-               ", \"position\": " + std::to_string(0.5 * std::sin(3 * (t - 0.03))) + ", \"torque_enable\": true" +
-               ", \"load\": " + load(i) + ", \"torque\": " + torque(i) +
-               ", \"input_volts\": 12.1, \"current\": 0.5, \"speed\": 0}";
-  }
-  return "{\"mass\": 0.5, \"arm_mass\": 0.1, \"length\": 0.15, \"vin\": 12, \"trajectory\": \"sine\", " + head +
-         ", \"entries\": [" + entries + "]}";
-}
-
 void write(const std::string& path, const std::string& text) {
   std::ofstream{path} << text;
-}
-
-std::string zero(int) {
-  return "0";
 }
 
 TEST(BamLog, TheHeadIsTheBenchOfTheLog) {
@@ -114,8 +94,20 @@ TEST(BamLog, IsRefusedWithoutRowsOrCommands) {
   EXPECT_THAT(error(R"({"kp": 1, "mass": 1, "length": 0.1, "entries": [3]})"), HasSubstr(messages::kNotBamRow));
 }
 
-TEST(BamLog, WhatIsWrittenIsReadBack) {
+TEST(BamLog, ACommandWrittenAfterARowsReadBelongsToTheNextRow) {
   const Case c = CaseTexts{}.read();
+  const Trajectory& log = c.logs[0];
+  const Trajectory back = parseBamLog(asBamJson(c, log, "mx28"), "a.json", "fit_1").log;
+  EXPECT_EQ(back.goal_rad[0], log.goal_rad[0]);
+  for (std::size_t row = 1; row < log.rows(); ++row) {
+    ASSERT_EQ(back.goal_rad[row], log.goal_rad[row - 1]);
+    ASSERT_EQ(back.torque_on[row], log.torque_on[row - 1]);
+  }
+}
+
+TEST(BamLog, WhatIsWrittenIsReadBack) {
+  Case c = CaseTexts{}.read();
+  c.goal_order = GoalOrder::kBeforeRead;
   const Trajectory& log = c.logs[0];
   const Trajectory back = parseBamLog(asBamJson(c, log, "mx28"), "a.json", "fit_1").log;
   EXPECT_EQ(back.file, log.file);
@@ -136,7 +128,7 @@ TEST(BamLog, AFolderBecomesACaseOfSeveralArms) {
   write(folder / "a.json", bamText(zero, zero));
   write(folder / "b.json", replaced(bamText(zero, zero), "\"length\": 0.15", "\"length\": 0.1"));
   write(folder / "c.json", replaced(bamText(zero, zero), "\"kp\": 32", "\"kp\": 64"));
-  const BamCase read = readBamFolder(folder / "", model, {});
+  const FolderCase read = readBamFolder(folder / "", model, {});
   ASSERT_EQ(read.given.logs.size(), 3u);
   EXPECT_FALSE(read.given.logs[0].held_out);
   EXPECT_TRUE(read.given.logs[2].held_out) << "another gain shows whether the model generalizes";
@@ -156,10 +148,21 @@ TEST(BamLog, OfOneGainTheLastQuarterIsHeldOut) {
   std::vector<long> held;
   for (const char* const name : {"a.json", "b.json", "c.json", "d.json", "e.json"}) {
     write(folder / name, bamText(zero, zero));
-    const BamCase read = readBamFolder(folder / "", model, {});
+    const FolderCase read = readBamFolder(folder / "", model, {});
     held.push_back(std::ranges::count_if(read.given.logs, &Trajectory::held_out));
   }
   EXPECT_THAT(held, ElementsAre(0, 1, 1, 1, 2)) << "a lone log is fitted";
+}
+
+TEST(BamLog, AGainOfMostLogsIsNotHeldOut) {
+  const TemporaryFolder folder, out;
+  const std::string model = out / "model.ini";
+  write(model, "[model]\nname = any\n");
+  for (const char* const name : {"b.json", "c.json", "d.json"}) write(folder / name, bamText(zero, zero));
+  write(folder / "a.json", replaced(bamText(zero, zero), "\"kp\": 32", "\"kp\": 16"));
+  const FolderCase read = readBamFolder(folder / "", model, {});
+  EXPECT_EQ(std::ranges::count_if(read.given.logs, &Trajectory::held_out), 1);
+  EXPECT_TRUE(read.given.logs[3].held_out);
 }
 
 TEST(BamLog, AHeldOutLogThatIsNotThereIsRefused) {

@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"`baseline.params.kt_NmA`", messages::kUnknownKey, "kt_Nm_A?"}},
         Mistake{"\"duty_max\": 1.0", "\"duty_max\": 1.01", {"`baseline.params.duty_max`", "1.01"}},
         Mistake{"\"length_m\": 0.17", "\"length_m\": 0", {"`baseline.params.length_m`", " 0;"}},
-        Mistake{"\"coulomb_Nm\": 0.08", "\"coulomb_Nm\": 0.4", {"`baseline.params.coulomb_Nm`", "0.4"}},
+        Mistake{"\"coulomb_Nm\": 0.08", "\"coulomb_Nm\": 4", {"`baseline.params.coulomb_Nm`", " 4;"}},
         Mistake{"\"voltage_p\"", "\"voltage\"", {"`baseline.model`", "\"voltage\"", "voltage_p", "speed_p"}},
         Mistake{"\"family\"", "\"goal_order\": \"later\", \"family\"", {"`goal_order`", "\"later\""}},
         Mistake{"\"family\"", "\"famly\": 1, \"family\"", {"`famly`", messages::kUnknownKey}},
@@ -63,6 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "\"role\": \"score\"", "\"role\": \"test\"", {"`logs[1].role`", "\"test\"", "fit", "held_out", "score"}},
         Mistake{"\"role\": \"fit\"", "\"role\": \"score\"", {"`logs`", messages::kNoFitLog}},
+        Mistake{"\"role\": \"fit\"", "\"role\": \"other\"", {"`logs`", messages::kNoFitLog}},
         Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"fit_2.csv\"", {"my/fit_2.csv: there is no such file"}},
         Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"../fit_1.csv\"", {"`logs[0].file`", messages::kBeyondFolder}},
         Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"score_1.csv\"", {"`logs[1].file`", messages::kGivenTwice}},
@@ -80,9 +81,16 @@ INSTANTIATE_TEST_SUITE_P(
                 {messages::kOtherDatasheetVoltage}},
         Mistake{"\"logs\": [", "\"logs\": [3,", {"`logs[0]`", " 3;", "{ }"}}));
 
+TEST(CaseMistakes, AnOtherLogHasNoRepeats) {
+  const CaseTexts other = CaseTexts{}.with("\"role\": \"score\"", "\"role\": \"other\"");
+  EXPECT_EQ(other.error(), "");
+  EXPECT_THAT(other.with("\"repeat_of\": null", "\"repeat_of\": \"score_1.csv\"").error(),
+              HasSubstr(messages::kRepeatOfAnother));
+}
+
 TEST(CaseMistakes, RangesIncludeTheirEnds) {
   EXPECT_EQ(CaseTexts{}.with("\"kt_Nm_A\": 1.8", "\"kt_Nm_A\": 10").error(), "");
-  EXPECT_EQ(CaseTexts{}.with("\"coulomb_Nm\": 0.08", "\"coulomb_Nm\": 0.3").error(), "");
+  EXPECT_EQ(CaseTexts{}.with("\"coulomb_Nm\": 0.08", "\"coulomb_Nm\": 3").error(), "");
   EXPECT_EQ(CaseTexts{}.with("\"duty_max\": 1.0", "\"duty_max\": 1").error(), "");
 }
 

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include "core/units.hpp"
@@ -10,6 +9,7 @@
 #include "gap/case/bad_rows.hpp"
 #include "gap/case/data_check.hpp"
 #include "gap/case/write_case.hpp"
+#include "support/shared_data.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {
@@ -17,16 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder beside the project, or beside $DARWINOP_SHARED.
-fs::path shared(const std::string& name) {
-  const char* const folder = std::getenv("DARWINOP_SHARED");
-  return fs::path{folder != nullptr ? folder : DARWINOP_SHARED} / name;
-}
-
 std::vector<fs::path> exampleCases() {
   std::vector<fs::path> found;
-  if (!fs::exists(shared("gap-cases/cases"))) return found;
-  for (const auto& entry : fs::directory_iterator{shared("gap-cases/cases")}) found.push_back(entry.path());
+  if (!fs::exists(sharedData("gap-cases/cases"))) return found;
+  for (const auto& entry : fs::directory_iterator{sharedData("gap-cases/cases")}) found.push_back(entry.path());
   std::ranges::sort(found);
   return found;
 }
@@ -40,7 +34,7 @@ std::vector<std::string_view> hidden(const DataCheck& check) {
 
 TEST(ExampleCases, AreReadWithoutAWarning) {
   const auto cases = exampleCases();
-  if (cases.empty()) GTEST_SKIP() << "no example cases in " << shared("gap-cases/cases");
+  if (cases.empty()) GTEST_SKIP() << "no example cases in " << sharedData("gap-cases/cases");
   for (const fs::path& folder : cases) {
     const Case c = readCase(folder);
     const DataCheck check = checkData(c);
@@ -57,7 +51,7 @@ TEST(ExampleCases, AreReadWithoutAWarning) {
 
 TEST(ExampleCases, AreWrittenWithoutLoss) {
   const auto cases = exampleCases();
-  if (cases.size() < 5) GTEST_SKIP() << "no example cases in " << shared("gap-cases/cases");
+  if (cases.size() < 5) GTEST_SKIP() << "no example cases in " << sharedData("gap-cases/cases");
   const TemporaryFolder folder;
   for (const std::size_t i : {0u, 4u}) {  // one of each law
     const Case c = readCase(cases[i]);
@@ -75,7 +69,7 @@ TEST(ExampleCases, AreWrittenWithoutLoss) {
 
 TEST(ExampleCases, InDegreesAreRefused) {
   const auto cases = exampleCases();
-  if (cases.empty()) GTEST_SKIP() << "no example cases in " << shared("gap-cases/cases");
+  if (cases.empty()) GTEST_SKIP() << "no example cases in " << sharedData("gap-cases/cases");
   constexpr double degrees_a_rad = 57.29577951308232;
   for (std::size_t i = 0; i < cases.size(); i += 4) {
     const fs::path& path = cases[i];
@@ -91,8 +85,8 @@ TEST(ExampleCases, InDegreesAreRefused) {
 }
 
 TEST(RealServo, IsReadAndItsLimitsAreReported) {
-  if (!fs::exists(shared("real-servo"))) GTEST_SKIP() << "no logs of a real servo in " << shared("real-servo");
-  const Case c = readCase(shared("real-servo"));
+  if (!fs::exists(sharedData("real-servo"))) GTEST_SKIP() << "no logs of a real servo in " << sharedData("real-servo");
+  const Case c = readCase(sharedData("real-servo"));
   EXPECT_EQ(c.goal_order, GoalOrder::kBeforeRead);
   EXPECT_EQ(c.logs.size(), 12u);
   EXPECT_EQ(c.model.effects.size(), 0u);  // the manual says nothing of friction
@@ -107,8 +101,8 @@ TEST(RealServo, IsReadAndItsLimitsAreReported) {
 }
 
 TEST(RealServo, LoneFalseReadingsAreFoundAndNoOthers) {
-  if (!fs::exists(shared("real-servo"))) GTEST_SKIP() << "no logs in " << shared("real-servo");
-  Case c = readCase(shared("real-servo"));
+  if (!fs::exists(sharedData("real-servo"))) GTEST_SKIP() << "no logs in " << sharedData("real-servo");
+  Case c = readCase(sharedData("real-servo"));
   EXPECT_THAT(contradictionsOf(c), testing::IsEmpty());
   for (Trajectory& log : c.logs) {
     ASSERT_TRUE(log.masked.empty()) << log.file;

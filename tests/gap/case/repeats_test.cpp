@@ -5,6 +5,7 @@
 #include "gap/case/data_check.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/plausible.hpp"
+#include "gap/case/repeat_spread.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -39,6 +40,23 @@ TEST(CaseRepeats, LeadToTheFirstOfTheSeries) {
   EXPECT_EQ(c.logs[2].repeat_of, 0u);
   EXPECT_TRUE(c.warnings.empty());
   EXPECT_TRUE(checkData(c).has_repeats);
+}
+
+// Run by run 0, 3 and 6 mrad beside the first: their standard deviation is 3 mrad.
+TEST(CaseRepeats, AllRunsCountInTheirSpread) {
+  Case c = threeLogs("fit_1.csv", "fit_1.csv").read();
+  for (std::size_t i = 0; i < c.logs.size(); ++i) {
+    c.logs[i].position_rad = c.logs[0].position_rad;
+    for (double& position : c.logs[i].position_rad) position += 0.003 * static_cast<double>(i);
+  }
+  EXPECT_NEAR(repeatSpread(c).rms_rad(), 0.003, 1e-9);
+  c.logs[2].held_out = true;
+  EXPECT_NEAR(repeatSpread(c).rms_rad(), 0.003, 1e-9) << "a held-out run as well";
+  c.logs[2].position_rad[7] = std::nan("");
+  EXPECT_NEAR(repeatSpread(c).rms_rad(), 0.003, 1e-9) << "a masked reading counts nowhere";
+  EXPECT_EQ(checkData(c).repeats_rad, repeatSpread(c).rms_rad());
+  for (Trajectory& log : c.logs) log.repeat_of.reset();
+  EXPECT_TRUE(std::isnan(checkData(c).repeats_rad));
 }
 
 TEST(CaseRepeats, InACircleAreRefused) {

@@ -1,0 +1,64 @@
+// A cycle is one write of all goals, one request, and replies one after the other: the board's, then the servos' in the
+// order of their ids (hal/cm730/read_list.hpp). A servo's registers are those of the begin of its reply.
+#include "gap/case/body/wire_schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kBytesPerMs = 100;
+
+/// Of the frame that carries the goals, in a cycle with a usual board reply: 8, and per servo id and goal. Stands in
+/// where a reply is missing and the rest of the bytes cannot be assigned.
+constexpr double kGoalsOnly = 8 + 20 * 3;
+
+}  // namespace
+
+CycleSchedule cycleSchedule(double total_bytes, std::span<const double> replies) {
+  double request = wire::kOfRequest, replied = wire::kOfBoard;
+  bool is_complete = true;
+  for (const double bytes : replies) {
+    request += wire::kOfRequestEach;
+    replied += bytes;
+    is_complete = is_complete && bytes > 0;
+  }
+  double written = total_bytes - request - replied;
+  if (!is_complete || !(written >= kGoalsOnly)) written = kGoalsOnly;
+  CycleSchedule out{written * wire::kByte, (written + request) * wire::kByte, {}};
+  out.servo_s.reserve(replies.size());
+  // The board's reply is up to kOfTag bytes longer than usual. They count as written: what is read comes after both.
+  double at = written + request + wire::kOfBoard;
+  for (const double bytes : replies) {
+    out.servo_s.push_back(at * wire::kByte);
+    at += bytes;
+  }
+  return out;
+}
+
+void fillWireSchedule(const logs::Log& recording, std::span<Trajectory> joints) {
+  const logs::Column* const total = recording.find("bus.wire");
+  if (total == nullptr || total->unit != "ms") return;
+  for (Trajectory& joint : joints) joint.written_s.clear(), joint.read_s.clear();
+  std::vector<double> replies(joints.size());
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const bool is_polled = !std::isnan(joints[i].volt_v[row]);
+      replies[i] = std::isnan(joints[i].position_rad[row]) ? 0 : is_polled ? wire::kOfPolled : wire::kOfServo;
+    }
+    const CycleSchedule cycle = cycleSchedule(total->values[row] * kBytesPerMs, replies);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      joints[i].written_s.push_back(cycle.written_s);
+      joints[i].read_s.push_back(cycle.servo_s[i]);
+    }
+  }
+}
+
+bool isInLockstep(const logs::Log& recording) {
+  const std::optional<std::string> model = recording.headValue("model");
+  return model && model->find(" in memory") != std::string::npos;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,80 @@
+// Which logs of a large folder are searched: the time of a search grows with each, and the tenth log of one bench, gain
+// and motion teaches little. Names of files do not count; what was set and what the goals do, does.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gap/case/raw_folder.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+/// What distinguishes a log. Speed and travel of the goals in powers of two.
+using Traits = std::array<double, 8>;
+
+double octave(double value) {
+  return value > 0 ? std::floor(std::log2(value)) : -1e3;
+}
+
+Traits traitsOf(const Trajectory& log) {
+  double fastest = 0;
+  for (std::size_t row = 1; row < log.rows(); ++row)
+    fastest = std::max(fastest, std::abs(log.goal_rad[row] - log.goal_rad[row - 1]) /
+                                    std::max(1e-6, log.time_s[row] - log.time_s[row - 1]));
+  const auto [low, high] = std::ranges::minmax(log.goal_rad);
+  const bool released = std::ranges::find(log.torque_on, 0) != log.torque_on.end();
+  return {log.p_register,           log.payload_kg,       log.length_m.value_or(0), log.arm_mass_kg.value_or(0),
+          log.supply_v.value_or(0), released ? 1.0 : 0.0, octave(fastest),          octave(high - low)};
+}
+
+/// Likeness to those that are chosen. Squares: one log that is nearly the same counts more than several that share a
+/// trait each.
+double likeness(const Traits& one, const std::vector<Traits>& chosen) {
+  double sum = 0;
+  for (const Traits& other : chosen) {
+    double same = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) same += one[i] == other[i] ? 1 : 0;
+    sum += same * same;
+  }
+  return sum;
+}
+
+/// Of the logs of a role the `most` that are least alike, one after the other; at a tie the first of the folder.
+std::vector<bool> chosenOf(const std::vector<Trajectory>& logs, bool held_out, std::size_t most) {
+  std::vector<bool> taken(logs.size());
+  std::vector<std::size_t> left;
+  std::vector<Traits> traits, chosen;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    traits.push_back(traitsOf(logs[i]));
+    if (logs[i].held_out == held_out) left.push_back(i);
+  }
+  while (chosen.size() < most && !left.empty()) {
+    const auto next = std::ranges::min_element(left, {}, [&](std::size_t i) { return likeness(traits[i], chosen); });
+    taken[*next] = true;
+    chosen.push_back(traits[*next]);
+    left.erase(next);
+  }
+  return taken;
+}
+
+}  // namespace
+
+void chooseLogs(FolderCase& in) {
+  Case& given = in.given;
+  const std::size_t before = given.logs.size();
+  const std::vector<bool> fitted = chosenOf(given.logs, false, kMostFitLogs),
+                          held_out = chosenOf(given.logs, true, kMostHeldOutLogs);
+  std::vector<Trajectory> logs;
+  for (std::size_t i = 0; i < before; ++i)
+    (fitted[i] || held_out[i] ? logs : given.others).push_back(std::move(given.logs[i]));
+  given.logs = std::move(logs);
+  if (given.others.empty()) return;
+  const auto held = std::ranges::count_if(given.logs, &Trajectory::held_out);
+  in.notes.push_back("of " + std::to_string(before) + " logs, " +
+                     std::to_string(given.logs.size() - static_cast<std::size_t>(held)) + " are fitted and " +
+                     std::to_string(held) +
+                     " held out, those that differ most in bench, gain and goals; the others show the error before and "
+                     "after; --all-logs takes all");
+}
+
+}  // namespace darwinop::gap

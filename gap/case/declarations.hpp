@@ -1,0 +1,53 @@
+// What raw logs do not contain, as a user declares it: KEY=VALUE.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gap/case/case.hpp"
+
+namespace darwinop::gap {
+
+/// What every log of a bench has.
+struct BenchKey {
+  std::string_view key;             // "payload_kg"
+  std::optional<double> otherwise;  // nothing: has to be given
+  std::string_view meaning;
+};
+std::span<const BenchKey> benchKeys();
+
+class Declarations {
+ public:
+  /// Of "kp=32" and the like. Throws BadInput for another key, listing them all.
+  explicit Declarations(const std::vector<std::string>& words);
+
+  /// Nothing: not declared. The number throws BadInput for a value that is none.
+  [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
+  [[nodiscard]] std::optional<double> number(std::string_view key) const;
+  /// Columns of counts with their encoding: "load_raw".
+  [[nodiscard]] const std::map<std::string, std::string>& encodings() const { return encodings_; }
+
+  /// Priors, relative, by the number that they are of: "payload_kg".
+  [[nodiscard]] const std::map<std::string, double>& sigmas() const { return sigmas_; }
+
+  /// Any number of the servo is declared.
+  [[nodiscard]] bool describeServo() const { return !servo_.empty(); }
+  /// Which of those that a servo needs are not: a line each, empty: none.
+  [[nodiscard]] std::string missingOfServo() const;
+  /// What is not declared is as in `servo`.
+  [[nodiscard]] twin::ServoParameters servoFrom(twin::ServoParameters servo, std::vector<std::string>& warnings) const;
+
+  /// A line of the list of what is missing.
+  static std::string missing(std::string_view key, std::string_view meaning);
+
+ private:
+  std::map<std::string, std::string, std::less<>> bench_;
+  std::map<std::string, std::string> servo_, encodings_;
+  std::map<std::string, double> sigmas_;
+};
+
+}  // namespace darwinop::gap

@@ -1,0 +1,113 @@
+// Raw logs and declarations to a case.
+#include "gap/case/raw_folder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/case/bad_rows.hpp"
+#include "gap/case/bam_log.hpp"
+#include "gap/case/folder_files.hpp"
+#include "gap/case/messages.hpp"
+#include "gap/case/plausible.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostUnusable = kMostMasked;  // of the files, as of the rows of a log
+
+constexpr const char* kOwnServo = "darwin-op";  // model whose servo is the MX-28
+
+FolderCase fromBam(const RawFolder& request, const Declarations& declared) {
+  FolderCase out = readBamFolder(request.folder, request.model.empty() ? kOwnServo : request.model, request.held_out);
+  if (declared.describeServo()) {
+    out.given.model.servo = declared.servoFrom(out.given.model.servo, out.given.warnings);
+    out.given.model.effects.clear();  // friction of another servo
+    out.notes.push_back("motor \"" + out.motor + "\" has the declared numbers");
+    return out;
+  }
+  if (request.model.empty() && !out.motor.starts_with("mx28"))
+    throw BadInput(request.folder + messages::kNotDeclared + declared.missingOfServo() +
+                   "\n  or --model FILE, a model of motor \"" + out.motor + "\"");
+  out.notes.push_back("motor \"" + out.motor + "\" has the numbers of model " +
+                      (request.model.empty() ? kOwnServo : request.model) + "; correct them in the case");
+  return out;
+}
+
+FolderCase fromCsv(const RawFolder& request, const Declarations& declared) {
+  twin::Model model;
+  try {
+    model = twin::readModel(twin::findModel(request.model.empty() ? kOwnServo : request.model));
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
+  }
+  std::erase_if(model.effects, [](const twin::EffectSetting& effect) { return effect.joint.has_value(); });
+  std::vector<std::string> warnings;
+  if (declared.describeServo()) {
+    model.servo = declared.servoFrom(model.servo, warnings);
+    model.effects.clear();  // friction of another servo
+  }
+  model.servo.supply_v = declared.number("supply_V").value_or(model.servo.supply_v);
+  FolderCase out = readCsvFolder(request, declared, model);
+  out.given.warnings.insert(out.given.warnings.end(), warnings.begin(), warnings.end());
+  return out;
+}
+
+/// BAM's logs are not checked by reading them.
+void leaveOutUnusable(FolderCase& in) {
+  std::erase_if(in.given.logs, [&](Trajectory log) {  // a copy: what is masked is masked when the case is read
+    try {
+      checkLog(log, (fs::path{in.given.folder} / log.file).string(), in.given);
+      return false;
+    } catch (const BadInput& reason) {
+      in.unusable.emplace_back(reason.what());
+      return true;
+    }
+  });
+}
+
+/// Throws BadInput if more than a few of the files cannot be used; else notes each.
+void noteUnusable(FolderCase& in) {
+  const double files = double(in.given.logs.size()) + double(in.unusable.size());
+  if (double(in.unusable.size()) > kMostUnusable * files || in.given.logs.empty())
+    throw BadInput(in.unusable.size() == 1
+                       ? in.unusable.front()
+                       : std::to_string(in.unusable.size()) + " of " + std::to_string(std::lround(files)) +
+                             " logs of " + in.given.folder + messages::kUnusableLogs + in.unusable.front());
+  for (const std::string& reason : in.unusable) in.notes.push_back(messages::kLeftOut + reason);
+}
+
+}  // namespace
+
+std::vector<fs::path> filesEndingWith(const std::string& folder, const char* end) {
+  std::error_code failed;
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator{folder, failed})
+    if (entry.path().extension() == end && entry.is_regular_file()) found.push_back(entry.path());
+  if (failed) throw BadInput("cannot read " + folder + ": " + failed.message());
+  std::ranges::sort(found);
+  return found;
+}
+
+std::string nameOfFolder(const std::string& folder) {
+  return fs::path{folder + "/."}.parent_path().filename().string();
+}
+
+bool isRawFolder(const std::string& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored) || fs::exists(fs::path{folder} / "case.json", ignored)) return false;
+  return !filesEndingWith(folder, ".json").empty() || !filesEndingWith(folder, ".csv").empty();
+}
+
+FolderCase readRawFolder(const RawFolder& request) {
+  const Declarations declared{request.declared};
+  const bool is_bam = !filesEndingWith(request.folder, ".json").empty();
+  FolderCase out = is_bam ? fromBam(request, declared) : fromCsv(request, declared);
+  if (is_bam) leaveOutUnusable(out);
+  noteUnusable(out);
+  if (!request.all_logs) chooseLogs(out);
+  return out;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,54 @@
+// A folder of raw logs as a case: BAM's JSON files or CSVs, without a case.json. What the logs do not contain is
+// declared as KEY=VALUE.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gap/case/declarations.hpp"
+
+namespace darwinop::gap {
+
+struct RawFolder {
+  std::string folder;
+  std::string model;                  // model file, or name of a shipped model; empty: the servo is declared
+  std::vector<std::string> declared;  // "kp=100"
+  std::vector<std::string> held_out;  // names of logs, without their ending
+  bool all_logs = false;              // also of a large folder
+};
+
+/// A case, and what was recognized in its logs or assumed, in sentences.
+struct FolderCase {
+  Case given;
+  std::vector<std::string> notes;
+  std::string motor = {};                  // as the logs name it: "mx106"
+  std::vector<std::string> unusable = {};  // why a log is not in the case, a sentence each
+};
+
+/// True: no case.json, but at least one *.json or *.csv.
+bool isRawFolder(const std::string& folder);
+
+/// Throws BadInput that lists all that is missing. Logs that cannot be used are left out and noted, if they are at most
+/// a tenth; of a large folder some are chosen.
+FolderCase readRawFolder(const RawFolder& request);
+/// CSVs of a servo of `model`. A column `kp`, `payload_kg`, `arm_mass_kg`, `length_m` or `supply_V` with one value
+/// counts before a declaration.
+FolderCase readCsvFolder(const RawFolder& request, const Declarations& declared, const twin::Model& model);
+
+/// Marks logs as held out: those with these names; without any, those of the greatest P gain if they are at most half,
+/// else the last quarter, rounded up; never a lone log. Throws BadInput for a name without a log.
+void holdOut(const std::vector<std::string>& names, FolderCase& in);
+
+/// Most logs that are searched, of each role. Of an XL330, 8 and 4 took 145 core-seconds, 16 and 8 took 298; the goal
+/// is two minutes on two cores.
+inline constexpr std::size_t kMostFitLogs = 12, kMostHeldOutLogs = 6;
+/// Moves what exceeds that to the others of the case: kept are those that differ most in bench, gain and goals.
+void chooseLogs(FolderCase& in);
+
+/// Notes that say the same of several logs as one, with their number.
+std::vector<std::string> grouped(const std::vector<std::string>& notes);
+
+/// How well a data sheet and a scale know a bench: the maker's torque to a tenth, winding and gear worse.
+std::vector<Prior> benchPriors();
+
+}  // namespace darwinop::gap
