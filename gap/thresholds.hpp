@@ -69,6 +69,12 @@ inline constexpr double kBoundExcessShare = 0.8;
 inline constexpr double kCrossValidateCost = 2;
 /// Prior standard deviations. With all other numbers fixed, a moved number is a finding beyond.
 inline constexpr double kFixedNumberSigmas = 1.5;
+/// Share of the cost beyond noise. If the first effect removed less, none that was tried alone may be right, and the
+/// best pairs of effects that every servo can have are compared: of two that nearly cancel each other neither gains
+/// anything alone. Friction of the wrong kind in the model: 3 and 3 % alone, 94 % together.
+inline constexpr double kSaddleShare = 0.5;
+/// Pairs that are fitted. A matter of run time.
+inline constexpr std::size_t kFittedPairs = 3;
 /// Effects that are looked for with all numbers fixed; more are a sign that the numbers are off. No evidence yet.
 inline constexpr int kMaxEffectsFixed = 2;
 /// Share of the gap. If two effects leave more, the selection stops, and its effects are not named.
@@ -179,6 +185,13 @@ inline constexpr int kNoiseHalfWindow = 3;
 inline constexpr int kNoiseVarianceHalfWindow = 5;
 /// Standard deviations of the independent part. Smaller modes are left out.
 inline constexpr double kSmallestNoiseMode = 0.5;
+/// s at the end of a released log in which a joint that is at rest moves by no more than the encoder resolves; half a
+/// swing of an arm of 0.1 m is 0.3 s. No evidence yet.
+inline constexpr double kRestTime = 0.3;
+/// degC by which repeats may differ to count as one temperature: two steps of the register. No evidence yet.
+inline constexpr double kSameTemperature = 2;
+/// Standard deviations of the simulated rest beyond which repeats rest in different places. No evidence yet.
+inline constexpr double kBifurcationSigmas = 6;
 /// Factor on the spread of a few dozen runs, which underestimates that of many.
 inline constexpr double kFewRunsFactor = 1.1;
 /// Standard deviations beyond which a residual counts linearly (pseudo-Huber). The specification says 2.
@@ -302,8 +315,6 @@ inline constexpr double kInformativeBits = 0.05;
 inline constexpr double kEventShare = 0.8;
 /// Ratio of energy in a bin to the mean from which the bin is named.
 inline constexpr double kLiftedBin = 1.5;
-/// s by which rows of two repeated logs may differ.
-inline constexpr double kSameRowTime = 2e-3;
 
 // ---- Whole robot (gap/localize/body, gap/identify/body) ----
 
@@ -313,6 +324,74 @@ inline constexpr double kWorstStretch = 0.5;
 /// for bias and scale, and an assembly for the mounting; half or twice of it moves twice the log evidence by at
 /// most 1.4 for each number.
 inline constexpr double kGyroBias = 0.2, kAccelBias = 0.5, kAccelScale = 0.1, kImuRotation = 0.1;
+/// Simulations of a limb behind its noise model, and the variance of the slow part, as a share of the fast one, from
+/// which it is a mode: a mean of seven independent samples has 0.14, twelve runs scatter by 0.4 of that. No evidence
+/// yet.
+inline constexpr int kLimbNoiseRuns = 12;
+inline constexpr double kSlowNoiseShare = 0.4;
+/// Factor on these modes: where a released arm comes to rest depends on how a simulator lets dry friction stick. At 1.1
+/// the arms of another simulator's robots diverged by some 3 sigma. No evidence for 3 against 2.
+inline constexpr double kReleasedFactor = 3;
+/// rad from a mechanical stop where a limp joint has met it; s after which a servo has caught a limb again. An arm that
+/// fell on its stop lay 10 mrad off in another simulator, which looked like an offset of its encoder.
+inline constexpr double kStopMargin = 0.05, kCaught = 0.3;
+/// Prior standard deviations of a difference step of a limb's numbers.
+inline constexpr double kPriorStep = 1;
+/// Duty. Noise of measured load minus control law, whatever the register resolves: a position that is wrong by a tick.
+inline constexpr double kLawResidual = 0.002;
+/// Chance that the best of all names of a robot's mechanics earns its place in recordings of a right model.
+inline constexpr double kMechanicalChance = 0.01;
+/// Candidates of the linear screen that are fitted, and their solver iterations. A matter of run time.
+inline constexpr std::size_t kFittedMechanics = 8;
+inline constexpr int kMechanicsIterations = 8;
+/// Share of what is beyond noise in its limbs that an effect has to explain to be added: less is a patch on another
+/// effect. No evidence yet.
+inline constexpr double kMechanicsShare = 0.1;
+/// The same, of what was beyond noise before the first effect: a large effect that is modelled nearly right leaves a
+/// little, after a release above all. A friction that moved an arm by 0.2 rad left 7e-5.
+inline constexpr double kMechanicsRemainder = 0.002;
+/// Ratio of held-out errors from which an effect of the mechanics worsens them and is dropped: repeats differ by 1 %.
+inline constexpr double kHeldOutRise = 1.03;
+/// Effects of the mechanics that are looked for. From the specification (two, and a spare).
+inline constexpr std::size_t kMostMechanics = 3;
+
+/// V. Noise of a supply whatever its register resolves: that of Disturbance. No evidence from a robot yet.
+inline constexpr double kSupplyNoise = 0.03;
+
+// ---- Robot on the floor (gap/localize/body/floor_noise.cpp, gap/identify/body/floor_selection.cpp) ----
+
+/// Simulated repeats behind the noise of a robot on the floor, and draws of all uncertain numbers: half a second each.
+/// What these few do not span is added to the noise of each sample.
+inline constexpr int kFloorNoiseRuns = 8;
+inline constexpr std::size_t kFloorPriorRuns = 24;
+/// Factor on the draws: a few underestimate the spread of many. No evidence yet.
+inline constexpr double kFewDrawsFactor = 1.5;
+/// By what engines differ that solve the same contacts: factor on the distance of the impedance from 1; m by which
+/// the robot is put down; relative changes of contact time and friction. No evidence yet.
+inline constexpr double kEngineImpedance = 3, kEngineDrop = 0.001, kEngineContactTime = 0.3, kEngineFriction = 0.1;
+/// Share of the contact time by which an impact's peak may be earlier or later in another engine: an impact lasts about
+/// as long. With nothing hidden, accelerometers of walks of an engine with springs for contacts were 9 to 10 sigma off
+/// without it.
+inline constexpr double kEngineTiming = 0.5;
+/// Prior standard deviation of the scale of a gyroscope.
+inline constexpr double kGyroScale = 0.2;
+/// Effects of the floor that are fitted after the screen; solver iterations of those whose cost beyond noise at their
+/// start, and then after the fit, is not so many times that of the best; relative cost of the last iteration; effects
+/// that are looked for. A matter of run time.
+inline constexpr std::size_t kFittedFloor = 3;
+inline constexpr int kFloorRivalIterations = 2, kFloorIterations = 5;
+inline constexpr double kFloorStartFarBehind = 10, kFloorFarBehind = 3;
+inline constexpr double kFloorTolerance = 1e-3;
+inline constexpr std::size_t kMostFloorEffects = 2;
+/// Strengths of a fitted effect from which the search goes on if one is better, and how often. A trunk's centre of mass
+/// that was off by 18 mm stopped at 16.4 without them.
+inline constexpr std::array kFloorStrengths{0.8, 0.9, 1.1, 1.2};
+inline constexpr int kFloorValleys = 3;
+/// Share of what is beyond noise on the floor that an effect has to explain: with less, two do not explain it. No
+/// evidence yet.
+inline constexpr double kFloorShare = 0.3;
+/// Cost of a sample of a right model: engines that differ widen the noise. A right model of the example cases had 0.43.
+inline constexpr double kFloorCostOfNoise = 0.5;
 
 // ---- Simulation and block residuals (gap/plant) ----
 

@@ -34,7 +34,8 @@ Eigen::MatrixXd firstSteps(const Problem& problem) {
 
 Eigen::MatrixXd stepsAlong(const Problem& problem, const Eigen::MatrixXd& information) {
   const Eigen::VectorXd unit = firstSteps(problem).diagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{unit.asDiagonal() * information * unit.asDiagonal()};
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{
+      Eigen::MatrixXd{unit.asDiagonal() * information * unit.asDiagonal()}};
   Eigen::MatrixXd steps = eigen.eigenvectors();
   for (Eigen::Index i = 0; i < steps.cols(); ++i) {
     const double longest = thresholds::kLongestStep / steps.col(i).cwiseAbs().maxCoeff();

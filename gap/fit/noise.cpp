@@ -1,12 +1,13 @@
 #include "gap/fit/noise.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "core/conversions.hpp"
+#include "gap/fit/bifurcation.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
@@ -96,13 +97,29 @@ LogNoise::LogNoise(const Plant& plant, const Case& given, std::size_t log, const
   // The torque feedback of law speed_p belongs to the ideal motor of that law, which no servo has.
   if (!loadIsDuty(hypothesis)) load_sigma_.setConstant(std::numeric_limits<double>::infinity());
 
+  // What repeats of a release differ by where the model knows of no such difference.
+  const double rest_sigma_rad = std::sqrt(spread.row(n - 1).squaredNorm() / static_cast<double>(options.runs));
+  const Eigen::MatrixXd bifurcation = bifurcationOf(given, log, rest_sigma_rad);
+  bifurcates_ = bifurcation.cols() > 0;
+  if (bifurcates_) {
+    const Eigen::Index runs = spread.cols();
+    spread.conservativeResize(Eigen::NoChange, runs + bifurcation.cols());
+    spread.rightCols(bifurcation.cols()).setZero();
+    spread.topRightCorner(n, bifurcation.cols()) =
+        bifurcation * std::sqrt(static_cast<double>(options.runs) / static_cast<double>(bifurcation.cols()));
+  }
   spread.topRows(n).array().colwise() /= position_sigma_.array();
   spread.bottomRows(n).array().colwise() /= load_sigma_.array();
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd{spread / std::sqrt(static_cast<double>(options.runs)), Eigen::ComputeThinU};
-  Eigen::Index count = 0;
-  while (count < svd.singularValues().size() && svd.singularValues()[count] > thresholds::kSmallestNoiseMode) ++count;
-  modes_ = svd.matrixU().leftCols(count);
-  mode_sigma_ = thresholds::kFewRunsFactor * svd.singularValues().head(count);
+  spread /= std::sqrt(static_cast<double>(options.runs));
+  // Singular vectors by way of the small matrix of the runs. That loses modes below 1e-8 of the largest, which do not
+  // count; Eigen's SVD would take most of the time of compiling this room.
+  const Eigen::MatrixXd runs = spread.transpose() * spread;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{runs};  // ascending
+  const Eigen::VectorXd sigmas = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const Eigen::Index count = (sigmas.array() > thresholds::kSmallestNoiseMode).count();
+  const Eigen::VectorXd kept = sigmas.tail(count);
+  modes_ = spread * (eigen.eigenvectors().rightCols(count) * kept.cwiseInverse().asDiagonal());
+  mode_sigma_ = thresholds::kFewRunsFactor * kept;
   if (options.discrepancy.any())
     addDiscrepancy(options.discrepancy, log, measured.duration_s() / static_cast<double>(n - 1));
 }

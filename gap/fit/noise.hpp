@@ -34,11 +34,14 @@ class LogNoise {
   [[nodiscard]] double logDeterminant() const;
   /// Standard deviation of each position, rad, modes included.
   [[nodiscard]] Eigen::VectorXd positionSigma() const;
+  /// The measured repeats of this log come to rest in different places, which counts as noise.
+  [[nodiscard]] bool bifurcates() const { return bifurcates_; }
 
  private:
   void addDiscrepancy(const Discrepancy& discrepancy, std::size_t log, double period_s);
 
   LoadResidual load_residual_;
+  bool bifurcates_ = false;
   double correlated_samples_ = 0;                // samples that count as one under a discrepancy; 0: none
   Eigen::VectorXd position_sigma_, load_sigma_;  // independent part; infinite: not counted
   Eigen::MatrixXd modes_;                        // orthonormal columns, in units of the sigmas

@@ -33,7 +33,8 @@ Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
   // Scaled so that every unknown that the data determine has the same sensitivity.
   const Eigen::VectorXd scale =
       information.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{scale.asDiagonal() * information * scale.asDiagonal()};
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{
+      Eigen::MatrixXd{scale.asDiagonal() * information * scale.asDiagonal()}};
   const double least = thresholds::kUnobservableEigenvalue * std::max(1.0, eigen.eigenvalues().maxCoeff());
   const Eigen::Index count = information.cols();
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);

@@ -21,4 +21,8 @@ double lastReading(const Trajectory& log, const std::vector<double>& column, std
 /// Position of a row: measured, or where it is masked on a straight line between its neighbours.
 double knownPosition(const Trajectory& log, std::size_t row);
 
+/// Where the joint was before the log began: mean of the first readings, up to the first new command and to the first
+/// position that differs by more than `resolution_rad`. NaN: no position is known.
+double restBefore(const Trajectory& log, double resolution_rad);
+
 }  // namespace darwinop::gap

@@ -53,6 +53,9 @@ BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, con
     // The period of a load is known to one period only, and a row may be read late by as much.
     const double rate = (log.load[row] - log.load[row - 1]) / (log.time_s[row] - log.time_s[row - 1]);
     out.sigma[i] = std::hypot(reading, std::isnan(rate) ? 0 : rate * run.period_s * kOfAStep);
+    // Within a row the goal has just been written, and a speed limit lets it act over several periods.
+    if (log.isReadAfterWrite() && run.last[row] > 0)
+      out.sigma[i] = std::hypot(out.sigma[i], run.duty[run.last[row]] - run.duty[run.last[row] - 1]);
   }
   return out;
 }

@@ -57,6 +57,14 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
     run.position_rad.push_back(position);
     run.row.push_back(commands);
   };
+  // Periods of a row's reading in which the servo has the goals of that row already.
+  const auto after_write = [&](std::size_t row) -> std::size_t {
+    if (!log.isReadAfterWrite()) return 0;
+    const auto periods = [&](double time_s) {
+      return std::floor((log.time_s[row] - log.time_s[0] + time_s) / run.period_s + kInstant);
+    };
+    return static_cast<std::size_t>(std::max(1.0, periods(log.read_s[row]) - periods(log.written_s[row])));
+  };
   period(0, knownPosition(log, 0), 0);
   run.last.push_back(0);
   for (std::size_t row = 0; row + 1 < log.rows(); ++row) {
@@ -65,8 +73,10 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
     const double position = knownPosition(log, row);
     const double velocity = (knownPosition(log, row + 1) - position) / (to_s - from_s);
     for (double t = static_cast<double>(run.periods()) * run.period_s; t <= to_s + kInstant * run.period_s;
-         t = static_cast<double>(run.periods()) * run.period_s)
-      period(commands, position + velocity * (t - from_s), velocity);
+         t = static_cast<double>(run.periods()) * run.period_s) {
+      const bool has_next = t + static_cast<double>(after_write(row + 1)) * run.period_s > to_s + kInstant;
+      period(has_next ? row + 1 : commands, position + velocity * (t - from_s), velocity);
+    }
     run.last.push_back(run.periods() - 1);
   }
   return run;

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/conversions.hpp"
+#include "core/random.hpp"
 #include "gap/plant/bench/surroundings.hpp"
 #include "gap/plant/row_state.hpp"
 #include "gap/thresholds.hpp"
@@ -65,10 +66,23 @@ class Run {
   void begin(const Hypothesis& hypothesis) {
     const bool held = given_.goal_order == GoalOrder::kAfterRead && drive_.torque_on;
     bench_.reset({.steps_per_period = stepsFor(hypothesis),
-                  .start_rad = held ? log_.goal_rad[0] : knownPosition(log_, 0),
+                  .start_rad = startRad(hypothesis),
+                  .goal_rad = held ? std::optional{log_.goal_rad[0]} : std::nullopt,
                   .session_time_s = log_.session_start_s - (held ? kHeldBefore : 0)});
     if (held)
       for (long i = std::lround(kHeldBefore / period_s_); i > 0; --i) step();
+  }
+
+  // Where the joint was measured, not where its goal is: friction may hold it anywhere near, by a force that no log
+  // shows. A joint that the hypothesis cannot hold there moves to where it rests. Commands alone: at the goal.
+  [[nodiscard]] double startRad(const Hypothesis& hypothesis) const {
+    const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
+    // A limp joint moves from its first reading on.
+    const double measured = drive_.torque_on ? restBefore(log_, 1.5 * tick) : knownPosition(log_, 0);
+    if (std::isnan(measured)) return log_.goal_rad[0];
+    if (options_.disturbance == nullptr) return measured;
+    return measured +
+           tick * (Rng{~options_.disturbance->seed}.uniform() - 0.5);  // the mean of readings leaves rounding
   }
 
   // The duty is constant over a period, so the midpoint is accurate to second order. A motor that takes any speed at

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/fit/jacobian.hpp"
+#include "gap/fit/servo_range.hpp"
 #include "gap/fit/solve.hpp"
 #include "gap/small_case.hpp"
 
@@ -18,6 +19,18 @@ Eigen::VectorXd residualsOf(const Case& bench) {
   Eigen::VectorXd residuals(evidence.size());
   problem.residuals({}, residuals);
   return residuals;
+}
+
+TEST(SearchRange, OfFrictionGrowsWithTheServo) {
+  twin::ServoParameters strong;
+  strong.kt_nm_a *= 4;
+  const auto high = [](std::string_view id, const twin::ServoParameters& servo) {
+    return unknownsOf(*twin::findEffect(id), servo).front().high;
+  };
+  EXPECT_DOUBLE_EQ(high("coulomb", {}), unknownsOf(*twin::findEffect("coulomb")).front().high);
+  EXPECT_DOUBLE_EQ(high("coulomb", strong), 4 * high("coulomb", {}));
+  EXPECT_DOUBLE_EQ(high("quadratic_load_friction", strong), high("quadratic_load_friction", {}) / 4);
+  EXPECT_DOUBLE_EQ(high("load_dependent_friction", strong), high("load_dependent_friction", {}));
 }
 
 TEST(Noise, ARightModelCostsAboutOneASample) {

@@ -35,6 +35,39 @@ TEST(RollOut, AGoalWrittenBeforeTheReadActsOneRowEarlier) {
   EXPECT_EQ(after, before + 1);
 }
 
+// Friction holds an arm anywhere near its goal: the log says where, the model whether it can.
+TEST(RollOut, ALogBeginsWhereTheJointWasMeasured) {
+  constexpr double kAside = 0.02;  // rad; 0.15 N m at this gain
+  Case bench = smallBench();
+  Trajectory& log = bench.logs[0];
+  log.position_rad.assign(log.rows(), log.goal_rad[0] + kAside);
+  const Hypothesis free = baselineOf(bench), held = withEffect(bench, "coulomb", "friction", 0.25);
+  const Trace at_rest = traceOf(bench, 0, held);
+  EXPECT_NEAR(at_rest[kPositionSignal][0], log.goal_rad[0] + kAside, 1e-6);
+  EXPECT_LT(at_rest[kLoadSignal][0], -0.01) << "the servo pulls towards its goal";
+  EXPECT_NEAR(traceOf(bench, 0, free)[kPositionSignal][0], log.goal_rad[0], 1e-3);
+  // The reading may be wrong by a step of the encoder, and each repeat by another one.
+  const Disturbance one{.seed = 1, .torque_nm = 0, .supply_v = 0, .encoder_ticks = 0},
+      other{.seed = 2, .torque_nm = 0, .supply_v = 0, .encoder_ticks = 0};
+  const auto start = [&](const Disturbance& noise) { return traceOf(bench, 0, held, &noise)[kLoadSignal][0]; };
+  EXPECT_NE(start(one), start(other));
+  log.position_rad[0] += 0.001;  // by chance
+  EXPECT_NEAR(traceOf(bench, 0, held)[kPositionSignal][0], log.goal_rad[0] + kAside, 1e-4);
+  log.position_rad.assign(log.rows(), std::nan(""));
+  EXPECT_NEAR(traceOf(bench, 0, held)[kPositionSignal][0], log.goal_rad[0], 1e-3) << "commands alone";
+}
+
+// A profile has arrived at the goal long before the log begins: the arm does not sink and rise again.
+TEST(RollOut, AProfileBeginsAtTheGoal) {
+  Case bench = smallBench();
+  Trajectory& log = bench.logs[2];  // held up at 1.2 rad
+  log.position_rad.assign(log.rows(), log.goal_rad[0] - 0.03);
+  Hypothesis slow = withEffect(bench, "coulomb", "friction", 0.02);
+  const double soon = traceOf(bench, 2, slow)[kPositionSignal][0];
+  valueOf(slow.with(*twin::findEffect("transport_delay")), "delay") = 0.08;
+  EXPECT_NEAR(traceOf(bench, 2, slow)[kPositionSignal][0], soon, 1e-3);
+}
+
 TEST(RollOut, AMaskedPositionLiesBetweenItsNeighbours) {
   Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
   Trajectory& log = bench.logs[2];

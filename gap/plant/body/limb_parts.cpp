@@ -1,0 +1,34 @@
+#include "gap/plant/body/limb_parts.hpp"
+
+#include "gap/plant/body/joint_alone.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kFinestTicks = 4096 * 1024;
+
+}  // namespace
+
+twin::Servo servoOf(const BodyHypothesis& hypothesis, Joint joint, bool is_exact,
+                    std::unique_ptr<twin::Effect> surroundings) {
+  const Hypothesis alone = atJoint(hypothesis.servos, joint);
+  twin::ServoParameters parameters = alone.servo;
+  if (is_exact) parameters.ticks_per_rev = kFinestTicks;
+  std::vector<std::unique_ptr<twin::Effect>> effects;
+  if (surroundings != nullptr) effects.push_back(std::move(surroundings));
+  for (const twin::EffectSetting& effect : alone.effects) effects.push_back(effect.info->make(effect.values));
+  return twin::Servo{parameters, std::move(effects)};
+}
+
+Limb linksOf(const Limb& limb, const BodyHypothesis& hypothesis) {
+  Limb out = limb;
+  for (Link& link : out)
+    for (const LinkChange& change : hypothesis.links) {
+      if (change.link != link.joint) continue;
+      link.com_m += change.com_shift_m;
+      link.add(change.mass_kg, link.com_m + change.from_com_m);
+    }
+  return out;
+}
+
+}  // namespace darwinop::gap

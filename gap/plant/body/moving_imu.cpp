@@ -1,0 +1,68 @@
+#include "gap/plant/body/moving_imu.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "twin/body/imu_axes.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+Eigen::Matrix3d matrixOf(const twin::MountingMatrix& rows) {
+  Eigen::Matrix3d out;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index k = 0; k < 3; ++k) out(i, k) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  return out;
+}
+
+/// Of an ideal sensor's reading, without bias.
+Eigen::Matrix3d distortion(const RestingImu::Deviation& of, const Eigen::Vector3d& board, const Eigen::Matrix3d& axes) {
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+  if (const double angle = board.norm(); angle > 0)
+    turned = Eigen::AngleAxisd{-angle, board / angle}.toRotationMatrix();
+  return of.scale.asDiagonal() * of.map * axes * turned * axes.transpose();
+}
+
+/// Rows of `cycles` at the time of each row of the log, `late` cycles ago.
+Eigen::MatrixX3d atRows(const Eigen::MatrixX3d& cycles, const std::vector<Eigen::Index>& rows, double late) {
+  Eigen::MatrixX3d out(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const double at = std::clamp(static_cast<double>(rows[row]) - late, 0.0, static_cast<double>(cycles.rows() - 1));
+    const auto before = static_cast<Eigen::Index>(at);
+    const double share = at - static_cast<double>(before);
+    out.row(static_cast<Eigen::Index>(row)) = cycles.row(before);
+    if (share > 0) out.row(static_cast<Eigen::Index>(row)) += share * (cycles.row(before + 1) - cycles.row(before));
+  }
+  return out;
+}
+
+}  // namespace
+
+MovingImu::MovingImu(const twin::Model& model) : period_s_{model.servo.firmware_period_s} {
+  const twin::ImuAxes mounted = twin::imuAxesOf(model);
+  gyro_axes_ = matrixOf(mounted.gyro), accel_axes_ = matrixOf(mounted.accelerometer);
+}
+
+MovingImu::Readings MovingImu::of(const FloorTrace& trace, const ImuDeviation& deviation) const {
+  const double late = deviation.delay_s / period_s_;
+  const Eigen::Vector3d& board = deviation.accel.rotation;
+  Eigen::MatrixX3d slow;
+  const Eigen::MatrixX3d* rates = &trace.gyro_rad_s;
+  if (deviation.lowpass_s > 0) {
+    slow = trace.gyro_rad_s;
+    const double share = 1 - std::exp(-period_s_ / deviation.lowpass_s);
+    for (Eigen::Index i = 1; i < slow.rows(); ++i)
+      slow.row(i) = slow.row(i - 1) + share * (slow.row(i) - slow.row(i - 1));
+    rates = &slow;
+  }
+  Readings out{atRows(*rates, trace.cycle_of_row, late), atRows(trace.accel_m_s2, trace.cycle_of_row, late)};
+  out.gyro_rad_s *= distortion(deviation.gyro, board, gyro_axes_).transpose();
+  out.gyro_rad_s.rowwise() += deviation.gyro.bias.transpose();
+  out.gyro_rad_s = out.gyro_rad_s.cwiseMin(deviation.range_rad_s).cwiseMax(-deviation.range_rad_s);
+  out.accel_m_s2 *= distortion(deviation.accel, board, accel_axes_).transpose();
+  out.accel_m_s2.rowwise() += deviation.accel.bias.transpose();
+  return out;
+}
+
+}  // namespace darwinop::gap
