@@ -1,5 +1,6 @@
 #include "gap/localize/blocks.hpp"
 
+#include "gap/localize/block_effect.hpp"
 #include "gap/localize/block_finder.hpp"
 
 namespace darwinop::gap {
@@ -18,7 +19,9 @@ std::string_view name(BlockVerdict verdict) {
 
 Blocks findBlocks(const Plant& plant, const Case& given, const Hypothesis& baseline,
                   const std::vector<std::size_t>& logs, const SimulatedRepeats& copies) {
-  return BlockFinder{plant, given, baseline, logs, copies}.find();
+  Blocks found = BlockFinder{plant, given, baseline, logs, copies}.find();
+  rankBlocks(given, baseline, logs, found);
+  return found;
 }
 
 }  // namespace darwinop::gap

@@ -25,6 +25,8 @@ struct BlockFinding {
   double rms = 0, expected_rms = 0;     // NaN if not testable
   double significance = 0;              // standard deviations beyond simulated repeats
   double moved = 0;                     // significance of the moves of the baseline numbers, same unit
+  double effect_rad = 0;                // of what is beyond noise: rms angle by which it moves the joint; open blocks
+  double share = 0;                     // of the squares of that, over all open blocks
   std::string detail;                   // why it is not testable, or what was observed
   std::vector<BlockResiduals> samples;  // one for each log of the evidence; empty if not testable
 };
@@ -35,7 +37,7 @@ inline constexpr const char* kPlantNeedsTorqueOff =
 
 struct Blocks {
   std::array<BlockFinding, kBlocks> all;        // in the order of Block
-  std::optional<Block> first;                   // first open block; empty: every tested block is closed
+  std::optional<Block> first;                   // open block of the greatest share; empty: every tested one is closed
   double supply_ohm = 0, supply_ohm_sigma = 0;  // slope of the voltage against the servo's current; NaN: no voltage
 
   [[nodiscard]] const BlockFinding& of(Block block) const { return all[static_cast<std::size_t>(block)]; }

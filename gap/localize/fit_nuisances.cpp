@@ -1,5 +1,6 @@
 #include "gap/localize/fit_nuisances.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gap/fit/problem.hpp"
@@ -55,7 +56,8 @@ class Mover {
       std::vector<double> x;
       for (std::size_t k = 0; k < numbers_.size(); ++k) {
         const double value = numbers_[k].expected + sets[set][static_cast<Eigen::Index>(k)] * numbers_[k].sigma;
-        x.push_back(numbers_[k].toSearch(value));
+        // Three sigmas of a number that is known to a half would be a negative mass.
+        x.push_back(numbers_[k].toSearch(std::clamp(value, numbers_[k].low, numbers_[k].high)));
       }
       const BlockResiduals there = cut_(given_.logs[logs_[i]], applied(hypothesis_, numbers_, x.data()));
       for (Eigen::Index k = 0; k < there.residual.size(); ++k)

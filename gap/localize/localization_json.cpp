@@ -21,6 +21,7 @@ Object ofLogs(const Localization& where) {
                     {"gap_floors", where.residuals[i].floors},
                     {"floor_mrad", 1e3 * floor.rms_rad},
                     {"quantisation_mrad", 1e3 * floor.quantisation_rad},
+                    {"bifurcates", floor.bifurcates},
                     {"repeats_mrad", known(1e3 * floor.repeats_rad)},
                     {"repeats_expected_mrad", known(1e3 * floor.expected_rad)}});
   }
@@ -37,6 +38,8 @@ Object ofBlocks(const Blocks& blocks) {
                    {"unit", block.unit},
                    {"significance", block.significance},
                    {"numbers_moved_sigma", block.moved},
+                   {"effect_mrad", 1e3 * block.effect_rad},
+                   {"share", block.share},
                    {"detail", block.detail}});
   return all;
 }
@@ -81,6 +84,7 @@ nlohmann::ordered_json asJson(const Localization& where) {
   return {{"gap_mrad", 1e3 * where.rms_rad()},
           {"gap_floors", where.floors()},
           {"floor_assumed", where.floor.assumed},
+          {"repeats_mrad", known(1e3 * where.floor.repeats_rad)},
           {"repeats_over_assumed", where.floor.assumed ? Object(nullptr) : Object(where.floor.factor)},
           {"first_block", blocks.first ? Object(name(*blocks.first)) : Object(nullptr)},
           {"supply_ohm", known(blocks.supply_ohm)},

@@ -3,6 +3,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "core/text/formatted.hpp"
+#include "core/text/number_text.hpp"
 #include "gap/localize/localization.hpp"
 
 namespace darwinop::gap {
@@ -27,18 +29,28 @@ std::string floorText(const Localization& where) {
   double sum = 0, count = 0;
   for (const LogFloor& one : where.floor.logs)
     sum += one.sigma_rad.squaredNorm(), count += static_cast<double>(one.sigma_rad.size());
-  std::string how = "assumed: no log was repeated";
+  std::string how =
+      where.floor.repeats_rad >= 0 ? "assumed: no fitted log was repeated" : "assumed: no log was repeated";
   if (!where.floor.assumed)
-    how =
-        "repeats differ " + std::to_string(where.floor.factor).substr(0, 4) + " times as much as noise would make them";
-  return line("Floor %.2f mrad (%s)", 1e3 * std::sqrt(sum / count), how.c_str());
+    how = "repeats differ by " + text::fixedText(1e3 * where.floor.repeats_rad, 2) + " mrad, " +
+          text::fixedText(where.floor.factor, 2) + " times as much as noise would make them";
+  std::string text = line("Floor %.2f mrad (%s)", 1e3 * std::sqrt(sum / count), how.c_str());
+  for (std::size_t i = 0; i < where.floor.logs.size(); ++i)
+    if (where.floor.logs[i].bifurcates)
+      text +=
+          line("      repeats of %s come to rest in different places, which counts as noise", where.files[i].c_str());
+  return text;
 }
 
 std::string blockText(const BlockFinding& block) {
   const std::string verdict{name(block.verdict)}, which{name(block.block)};
   if (std::isnan(block.rms)) return line("  %-10s %-7s %s", which.c_str(), verdict.c_str(), block.detail.c_str());
-  return line("  %-10s %-7s %9.3g %-5s (%.3g expected, %+.0f sigma) %s", which.c_str(), verdict.c_str(), block.rms,
-              block.unit.c_str(), block.expected_rms, block.significance, block.detail.c_str());
+  // Of several open blocks.
+  const std::string share = block.verdict == BlockVerdict::kOpen && block.share < 1
+                                ? text::formatted(", %.0f %% of the gap", 100 * block.share)
+                                : "";
+  return line("  %-10s %-7s %9.3g %-5s (%.3g expected, %+.0f sigma%s) %s", which.c_str(), verdict.c_str(), block.rms,
+              block.unit.c_str(), block.expected_rms, block.significance, share.c_str(), block.detail.c_str());
 }
 
 std::string placeText(const GapInterval& place) {

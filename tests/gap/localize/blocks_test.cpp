@@ -107,5 +107,19 @@ TEST(Blocks, ReportBlocksThatCannotBeSeparated) {
   EXPECT_EQ(always_on.of(Block::kPlant).detail, kPlantNeedsTorqueOff);
 }
 
+TEST(Blocks, AreRankedByHowFarTheyMoveTheJoint) {
+  // A sag of a tenth of a volt, which the voltage shows clearly, beside a friction that moves the arm ten times as far.
+  Case given = measuredCase({"coulomb", {0.2}});
+  for (Trajectory& log : given.logs)
+    for (double& volt : log.volt_v) volt -= 0.1;
+  const Blocks found = blocksOf(given);
+  EXPECT_EQ(found.of(Block::kSupply).verdict, BlockVerdict::kOpen);
+  EXPECT_EQ(found.of(Block::kPlant).verdict, BlockVerdict::kOpen);
+  EXPECT_EQ(found.first, Block::kPlant);
+  EXPECT_GT(found.of(Block::kPlant).share, 0.9);
+  EXPECT_NEAR(found.of(Block::kPlant).share + found.of(Block::kSupply).share, 1, 1e-9);
+  EXPECT_EQ(found.of(Block::kController).share, 0) << "closed";
+}
+
 }  // namespace
 }  // namespace darwinop::gap

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "gap/case/repeat_spread.hpp"
 #include "gap/localize/localization.hpp"
 #include "gap/localize/localize_case.hpp"
 
@@ -27,6 +28,7 @@ TEST(Floor, AgreesWithRepeatsThatDifferAsAssumed) {
   EXPECT_NEAR(floor.factor, 1, 0.3);
   EXPECT_TRUE(std::isnan(floor.logs[1].repeats_rad)) << "the sine has no repeat";
   EXPECT_GT(floor.logs[3].repeats_rad, 0);
+  EXPECT_EQ(floor.logs[0].repeats_rad, floor.logs[3].repeats_rad) << "one motion, one spread";
   for (const LogFloor& log : floor.logs) EXPECT_GE(log.rms_rad, log.quantisation_rad);
   EXPECT_GT(floor.logs[2].rms_rad, floor.logs[0].rms_rad) << "a released arm differs more from run to run";
 }
@@ -34,6 +36,34 @@ TEST(Floor, AgreesWithRepeatsThatDifferAsAssumed) {
 TEST(Floor, ReportsTheRatioOfRepeatsToTheAssumedNoise) {
   const NoiseFloor floor = floorFor(measuredCase({}, twin::Law::kVoltageP, 5, {.torque_nm = 0.03}));
   EXPECT_GT(floor.factor, 2);
+}
+
+// The arm is lighter than the case says even without any weight: a number known to a half would have to be negative.
+TEST(Blocks, WithAWidePriorKeepNumbersPositive) {
+  Case given = commandedCase();
+  Case truth = given;
+  truth.pendulum.arm_mass_kg = 0;
+  for (Trajectory& log : truth.logs) log.payload_kg = 0.01;
+  for (std::size_t i = 0; i < given.logs.size(); ++i) {
+    Trace trace;
+    rollOut(truth, i, baselineOf(truth), {}, trace);
+    given.logs[i] = asReported(given.logs[i], trace, given.model.servo.ticks_per_rev, i);
+  }
+  given.pendulum.arm_mass_kg = 0.3;
+  given.priors = {{"payload", 0.5}};
+  EXPECT_NO_THROW((void)whereIs(given));
+}
+
+// A third run, after which the bench shook three times as much.
+TEST(Floor, TakesAllRepeats) {
+  Case given = measuredCase({});
+  given.logs.push_back(measuredCase({}, twin::Law::kVoltageP, 9, {.torque_nm = 0.03}).logs[3]);
+  given.logs.back().file = "again.csv";
+  const NoiseFloor two = floorFor(measuredCase({})), three = floorFor(given);
+  EXPECT_GT(three.factor, 1.2 * two.factor);
+  EXPECT_GT(three.repeats_rad, 1.2 * two.repeats_rad);
+  EXPECT_DOUBLE_EQ(three.repeats_rad, repeatSpread(given).rms_rad());
+  EXPECT_EQ(three.logs[0].repeats_rad, three.logs[4].repeats_rad) << "one spread for each motion";
 }
 
 TEST(Floor, IsAssumedWithoutRepeats) {
