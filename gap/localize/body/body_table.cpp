@@ -9,13 +9,15 @@ namespace darwinop::gap {
 namespace {
 
 std::vector<std::string> notTested(const std::vector<BodyRow>& rows) {
-  std::vector<std::string> out{
-      "mechanics of the joints, masses, floor and contact: they need a simulation of the whole robot",
-      "delays of a goal below one row, and what an encoder shows wrongly: load and position agree then",
-      "gyroscope in motion (scale, axes, range, filter), and the mounting that it shares: a clamped trunk does not "
-      "turn"};
+  std::vector<std::string> out;
+  if (std::ranges::none_of(rows, [](const BodyRow& row) { return row.place.kind == Place::Kind::kContact; }))
+    out.emplace_back(
+        "trunk, floor, contact, gyroscope in motion: no log with \"setup\": \"floor\" that is not of the runtime, or "
+        "law speed_p");
   const auto has = [&](Block block) { return std::ranges::find(rows, block, &BodyRow::block) != rows.end(); };
   if (!has(Block::kController)) out.emplace_back("controller: no load and position of a driven joint");
+  if (!has(Block::kPlant))
+    out.emplace_back("mechanics of the joints: no log with \"setup\": \"stand_clamped\", or law speed_p");
   if (!has(Block::kSupply)) out.emplace_back("supply: too few voltages of servos");
   if (!has(Block::kSensor)) out.emplace_back("inertial sensor: no log with \"setup\": \"stand_clamped\"");
   return out;
@@ -27,9 +29,8 @@ std::size_t BodyTable::open() const {
   return static_cast<std::size_t>(std::ranges::count_if(rows, &BodyRow::open));
 }
 
-BodyTable localize(const BodyCase& given, const RestingImu& imu) {
-  BodyTable table{.rows = jointRows(given), .not_tested = {}};
-  for (BodyRow& row : imuRows(given, imu)) table.rows.push_back(std::move(row));
+BodyTable tableOf(std::vector<BodyRow> rows) {
+  BodyTable table{.rows = std::move(rows), .not_tested = {}};
   table.not_tested = notTested(table.rows);
   table.open_from =
       sigmasOfChance(thresholds::kFalseDiscoveries / std::max<double>(1, static_cast<double>(table.rows.size())));
@@ -38,6 +39,26 @@ BodyTable localize(const BodyCase& given, const RestingImu& imu) {
     return a.significance != b.significance ? a.significance > b.significance : a.floors > b.floors;
   });
   return table;
+}
+
+namespace {
+
+std::vector<BodyRow> ownRows(const BodyCase& given, const RestingImu& imu) {
+  std::vector<BodyRow> rows = jointRows(given);
+  for (BodyRow& row : imuRows(given, imu)) rows.push_back(std::move(row));
+  return rows;
+}
+
+}  // namespace
+
+BodyTable localize(const BodyCase& given, const RestingImu& imu) {
+  return tableOf(ownRows(given, imu));
+}
+
+BodyTable localize(const BodyCase& given, const RestingImu& imu, const ClampedRobot& robot) {
+  std::vector<BodyRow> rows = ownRows(given, imu);
+  for (BodyRow& row : mechanicsRows(robot, robot.baseline())) rows.push_back(std::move(row));
+  return tableOf(std::move(rows));
 }
 
 }  // namespace darwinop::gap

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gap/case/body/body_case.hpp"
+#include "gap/localize/body/clamped_robot.hpp"
 #include "gap/plant/block.hpp"
 #include "gap/plant/body/resting_imu.hpp"
 #include "gap/plant/place.hpp"
@@ -39,8 +40,12 @@ struct BodyTable {
   [[nodiscard]] std::size_t open() const;
 };
 
+/// Most significant first, with the level that their number asks for.
+BodyTable tableOf(std::vector<BodyRow> rows);
 /// Deterministic; under a second for ten logs. Only logs that are not held out.
 BodyTable localize(const BodyCase& given, const RestingImu& imu);
+/// With the mechanics of the joints.
+BodyTable localize(const BodyCase& given, const RestingImu& imu, const ClampedRobot& robot);
 
 /// For a terminal of 100 columns.
 std::string asText(const BodyTable& table);
@@ -49,5 +54,7 @@ nlohmann::ordered_json asJson(const BodyTable& table);
 // Parts of localize().
 std::vector<BodyRow> jointRows(const BodyCase& given);
 std::vector<BodyRow> imuRows(const BodyCase& given, const RestingImu& imu);
+/// A row for each joint, limb by limb; none where the robot cannot be tested.
+std::vector<BodyRow> mechanicsRows(const ClampedRobot& robot, const BodyHypothesis& hypothesis);
 
 }  // namespace darwinop::gap

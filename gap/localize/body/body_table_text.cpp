@@ -34,7 +34,8 @@ std::string asText(const BodyTable& table) {
                            "", "sigma", "largest in");
   for (const BodyRow& row : table.rows)
     if (row.open) out += lineOf(row);
-  for (const Block block : {Block::kController, Block::kSupply, Block::kSensor}) out += closedLine(table, block);
+  for (const Block block : {Block::kController, Block::kSupply, Block::kPlant, Block::kSensor})
+    out += closedLine(table, block);
   out += "Not tested:\n";
   for (const std::string& sentence : table.not_tested) out += "  " + sentence + "\n";
   return out;

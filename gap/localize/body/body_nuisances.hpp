@@ -1,0 +1,20 @@
+// Numbers of a limb that the case declares uncertain.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gap/plant/body/limb_roll_out.hpp"
+
+namespace darwinop::gap {
+
+struct BodyNuisance {
+  std::string name;
+  std::function<void(BodyHypothesis&, double sigmas)> move;  // from where the hypothesis has it
+};
+
+/// By BodyCase::trust; none where the model is exact.
+std::vector<BodyNuisance> nuisancesOf(const BodyCase& given, const Limb& limb);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,60 @@
+// Measured minus simulated motion of one limb in all logs with a clamped trunk, whitened: what noise, chaos of released
+// joints and numbers within their priors explain counts once, not once a sample.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "gap/localize/body/noise_modes.hpp"
+#include "gap/plant/body/limb_roll_out.hpp"
+
+namespace darwinop::gap {
+
+/// Samples of one joint in one log: rows of the log from `begin` on.
+struct LimbSamples {
+  std::size_t log;     // index in the case
+  Eigen::Index joint;  // in the limb
+  bool is_load;        // measured load minus the control law at the measured position; else the position
+  Eigen::Index begin, rows;
+};
+
+/// Logs with a clamped trunk that are held out, or the others.
+std::vector<std::size_t> clampedLogs(const BodyCase& given, bool held_out);
+
+class LimbResiduals {
+ public:
+  /// Noise and priors are those of robots near `about`.
+  LimbResiduals(const BodyCase& given, std::vector<std::size_t> logs, const Limb& limb, const BodyHypothesis& about);
+
+  /// In standard deviations of one sample; a missing sample is 0.
+  [[nodiscard]] Eigen::VectorXd scaled(const BodyHypothesis& hypothesis) const;
+  /// Of such residuals or of their derivatives. Linear.
+  [[nodiscard]] Eigen::VectorXd whitened(const Eigen::VectorXd& scaled) const { return modes_.whitened(scaled); }
+  /// Whitened residuals.
+  [[nodiscard]] Eigen::VectorXd of(const BodyHypothesis& hypothesis) const { return whitened(scaled(hypothesis)); }
+
+  [[nodiscard]] const Limb& limb() const { return limb_; }
+  [[nodiscard]] const std::vector<LimbSamples>& blocks() const { return blocks_; }
+  [[nodiscard]] Eigen::Index size() const { return sigma_.size(); }
+  /// Of each sample, its own part: rad, or duty.
+  [[nodiscard]] const Eigen::VectorXd& sigma() const { return sigma_; }
+
+ private:
+  [[nodiscard]] Eigen::VectorXd simulated(const BodyHypothesis& hypothesis, const Disturbance* noise) const;
+  void estimateNoise(const BodyHypothesis& about);
+  void addPriors(const BodyHypothesis& about);
+  /// Index in the robot.
+  [[nodiscard]] std::size_t jointOf(const LimbSamples& block) const {
+    return static_cast<std::size_t>(limb_[static_cast<std::size_t>(block.joint)].joint);
+  }
+
+  const BodyCase& given_;
+  Limb limb_;
+  std::vector<std::size_t> logs_;
+  std::vector<LimbSamples> blocks_;
+  Eigen::VectorXd measured_, sigma_;
+  Eigen::MatrixXd directions_;  // of noise and of priors, in sigmas
+  NoiseModes modes_;
+};
+
+}  // namespace darwinop::gap
