@@ -1,5 +1,6 @@
 #include "gap/identify/assessment.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +14,26 @@ double sigmasOff(const FittedModel& fitted, std::size_t i) {
   const Unknown& unknown = fitted.problem.unknowns()[i];
   if (!std::isfinite(unknown.sigma)) return 0;
   return (unknown.fromSearch(fitted.fit.x[static_cast<Eigen::Index>(i)]) - unknown.expected) / unknown.sigma;
+}
+
+/// Variance of the unknowns by the jackknife over logs: how far each log by itself pulls them, to first order. The
+/// error of a wrong model is the same all over a log, so samples of one log are one piece of evidence.
+Eigen::MatrixXd jackknifeCovariance(const FittedModel& fitted) {
+  const Eigen::Index count = fitted.fit.x.size();
+  const auto logs = static_cast<double>(fitted.evidence->noise.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
+  Eigen::Index row = 0;
+  for (const LogNoise& noise : fitted.evidence->noise) {
+    const Eigen::VectorXd residuals = fitted.fit.residuals.segment(row, noise.size());
+    const Eigen::MatrixXd jacobian = fitted.fit.jacobian.middleRows(row, noise.size());
+    row += noise.size();
+    const Eigen::VectorXd weights = residuals.unaryExpr(
+        [](double r) { return 1 / std::sqrt(1 + r * r / (thresholds::kRobustSigmas * thresholds::kRobustSigmas)); });
+    const Eigen::MatrixXd weighted = jacobian.transpose() * weights.asDiagonal();
+    const Eigen::VectorXd pull = (fitted.fit.information - weighted * jacobian).ldlt().solve(weighted * residuals);
+    covariance += pull * pull.transpose() * ((logs - 1) / logs);
+  }
+  return covariance;
 }
 
 }  // namespace
@@ -47,8 +68,12 @@ std::vector<PriorConflict> priorConflictsOf(const FittedModel& fitted) {
 }
 
 std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectInfo& effect, double excess) {
-  // The residual of a wrong model is not white: neighbouring samples are correlated.
+  // The residual of a wrong model is not white: neighbouring samples are correlated, and all of a log to some extent.
+  const bool is_wrong = excess > thresholds::kRightCostRatio || fitted.evidence->discrepancy.any();
   const double wider = excess > thresholds::kRightCostRatio ? std::sqrt(thresholds::kCorrelatedSamples * excess) : 1;
+  const bool by_logs =
+      is_wrong && fitted.evidence->noise.size() > 2 && fitted.fit.jacobian.cols() == fitted.fit.x.size();
+  const Eigen::MatrixXd over_logs = by_logs ? jackknifeCovariance(fitted) : Eigen::MatrixXd{};
   std::vector<Estimate> estimates;
   const auto& unknowns = fitted.problem.unknowns();
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
@@ -62,7 +87,9 @@ std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectI
     }
     const double x = fitted.fit.x[at], value = unknowns[i].fromSearch(x);
     const double sharpest = thresholds::kFinestInterval * (unknowns[i].logarithmic ? 1 : std::abs(value));
-    const double half = std::max(sharpest, wider * thresholds::kInterval90 * std::sqrt(fitted.fit.covariance(at, at)));
+    const double local = wider * std::sqrt(fitted.fit.covariance(at, at));
+    const double sigma = by_logs ? std::fmax(local, std::sqrt(over_logs(at, at))) : local;
+    const double half = std::max(sharpest, thresholds::kInterval90 * sigma);
     if (effect.parameters[parameter->index].role == twin::ParameterRole::kGoalDelay) {
       // A goal acts from the first firmware period after it arrives; its instant within the period before is unknown.
       const double early = fitted.problem.hypothesis().servo.firmware_period_s / 2;

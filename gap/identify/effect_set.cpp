@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/fit/servo_range.hpp"
 #include "gap/plant/baseline_alias.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -60,7 +61,8 @@ Problem problemWith(const Study& study, const Evidence& evidence, const Effects&
   for (const ChosenEffect& effect : effects) {
     twin::EffectSetting& setting = hypothesis.with(*effect.info, effect.place);
     if (effect.info->laws == twin::Laws::kReplacesSpeedP) setting.values[0] = 1;
-    for (Unknown& unknown : unknownsOf(*effect.info, effect.refined, effect.place)) own.push_back(std::move(unknown));
+    for (Unknown& unknown : unknownsOf(*effect.info, study.baseline.servo, effect.refined, effect.place))
+      own.push_back(std::move(unknown));
   }
   std::vector<Unknown> all = nuisancesOf(study.data, hypothesis);
   // Numbers of another law's motor come from a data sheet: they belong to no baseline and are never exact.

@@ -58,7 +58,7 @@ Identification identifyOnRoughBaseline(const Study& study, const IdentifyOptions
   few.most_effects = 2;
   Selection free{study, few, Nuisance::kFree};
   free.run();
-  if (free.leavesNoise() || free.model().effects.empty()) return free.result();
+  if (free.leavesNoise()) return free.result();
   options.progress("the residual is not noise: selecting effects by cross-validation");
   RoughSelection rough{study, options, inTheFirmware(free.model().effects), free.model()};
   rough.run();
@@ -97,7 +97,7 @@ Identification identify(const Study& study, const IdentifyOptions& options) {
   Identification found = searchAllLogs(study, options);
   if (found.verdict != Verdict::kUnknown) return found;
   options.progress("no model explains all logs: each half of the session alone");
-  if (std::optional<Identification> part = searchInHalves(study, options, &searchAllLogs)) return std::move(*part);
+  if (std::optional<Identification> part = searchInHalves(study, options)) return std::move(*part);
   return found;
 }
 

@@ -1,9 +1,9 @@
 #include "gap/identify/rough_selection.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -15,87 +15,17 @@
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
-namespace {
-
-bool isCommon(const twin::EffectInfo& effect) {
-  return effect.prevalence == twin::Prevalence::kCommon;
-}
-
-/// A start with these effects, every number of the baseline at its expected value.
-FittedModel restarted(const Effects& effects, const FittedModel& from) {
-  Problem problem = problemWith(*from.study, *from.evidence, effects, Nuisance::kFree);
-  Fit fit;
-  fit.x = startAfresh(problem, from.problem, from.fit.x);
-  return {from.study, effects, Nuisance::kFree, from.evidence, std::move(problem), std::move(fit), 0};
-}
-
-// From one start alone a swing that is out of phase may never come back.
-struct Start {
-  double strength;  // of a scale parameter: times its typical value
-  double side;      // of a parameter of either sign
-};
-constexpr std::array kStarts{Start{1, 1}, Start{0.3, 0}, Start{1, -1}};
-
-FittedModel startedAt(const Start& start, FittedModel fitted) {
-  const auto& unknowns = fitted.problem.unknowns();
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
-    if (parameter == nullptr || !isCommon(*parameter->info)) continue;
-    double& x = fitted.fit.x[static_cast<Eigen::Index>(i)];
-    x = unknowns[i].logarithmic ? x + std::log(start.strength) : start.side * x;
-  }
-  return fitted;
-}
-
-/// `effects` with all numbers free; what `from` leaves counts as noise.
-FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from) {
-  Evidence evidence{.plant = from.evidence->plant,
-                    .given = from.evidence->given,
-                    .logs = from.evidence->logs,
-                    .noise = {},
-                    .discrepancy = {}};
-  evidence.discrepancy = discrepancyOf(*evidence.plant, *evidence.given, evidence.logs, from.hypothesis());
-  return refit(*from.study, effects, Nuisance::kFree, {evidence, from.problem.hypothesis(), from.problem.unknowns()},
-               from.fit, 2);
-}
-
-}  // namespace
-
-RoughSelection::RoughSelection(const Study& study, const IdentifyOptions& options, const Effects& effects,
-                               const FittedModel& from)
-    : study_{study},
-      options_{options},
-      candidates_{candidateEffectsOf(study.data)},
-      model_{refitWithDiscrepancy(effects, refitWithDiscrepancy(effects, restarted(effects, from)))} {}
 
 void RoughSelection::run() {
   addCommonEffects();
   for (int i = 0; i < thresholds::kMaxRareEffects && addRareEffect(); ++i) {
   }
-}
-
-void RoughSelection::addCommonEffects() {
-  options_.progress("effects that every servo has: friction of three kinds, encoder offset");
-  const std::vector<double> before = leaveOneOutErrors(model_);
-  const FittedModel bare = model_;
-  Effects common = model_.effects;
-  for (const twin::EffectInfo* const effect : candidates_)
-    if (isCommon(*effect) && !has(common, *effect)) common.push_back({effect});
-  double least = std::numeric_limits<double>::infinity();
-  for (const Start& start : kStarts) {
-    // The second refit has less discrepancy to accept as noise.
-    const FittedModel first = refitWithDiscrepancy(common, startedAt(start, restarted(common, bare)));
-    FittedModel second = refitWithDiscrepancy(common, first);
-    const double error = meanPositionError(study_.plant, study_.data, second.hypothesis(), LogRole::kFit);
-    if (error < least) least = error, model_ = std::move(second);
-  }
-  dropNeedless();
-  if (!crossValidate(before, leaveOneOutErrors(model_)).improves()) model_ = bare;
+  noteDoubles();
 }
 
 std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(const std::vector<FittedModel>& candidates) {
   const std::vector<double> errors = leaveOneOutErrors(model_);
-  std::vector<Tested> improving;
+  std::vector<Tested> helping;
   std::size_t tested = 0;
   rejected_.clear();
   for (const FittedModel& candidate : candidates) {
@@ -109,48 +39,60 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(const std::v
       continue;
     }
     ++tested;
-    const CrossValidation validation = crossValidate(errors, leaveOneOutErrors(candidate));
+    std::vector<double> with = leaveOneOutErrors(candidate);
+    const CrossValidation validation = crossValidate(errors, with);
     char text[160];
     std::snprintf(text, sizeof text, "%s: leave-one-log-out prediction error ratio %.2f, %.2f to %.2f",
                   std::string{effect.id}.c_str(), std::exp(validation.mean),
                   std::exp(validation.mean - 2 * validation.error), std::exp(validation.mean + 2 * validation.error));
     options_.progress(text);
     const bool helps = validation.mean >= thresholds::kRareEffectHelp;
-    if (validation.improves() && helps)
-      improving.push_back({&candidate, validation});
-    else
+    if (!helps || !validation.improves())
       rejected_.push_back({&effect, helps ? RejectionReason::kUndecided : RejectionReason::kNoPredictiveGain});
+    if (helps) helping.push_back({&candidate, validation, std::move(with)});
   }
   std::ranges::stable_sort(rejected_, {}, &RejectedEffect::why);
-  return improving;
+  return helping;
+}
+
+// What some left-out logs ask for and others refuse is decided by logs that are not there: full duty, another gain.
+void RoughSelection::noteRivals(const std::vector<Tested>& tested, const Tested* best) {
+  rivals_.clear();
+  for (const Tested& other : tested)
+    if (&other != best && (best == nullptr || !crossValidate(other.errors, best->errors).improves()))
+      rivals_.push_back({idsOf(other.model->effects), 0, false});
+}
+
+/// The held-out logs contradict the fitted ones: then neither decides.
+bool RoughSelection::worsensHeldOut(const FittedModel& with) const {
+  const auto error = [&](const FittedModel& fitted) {
+    return meanPositionError(study_.plant, study_.data, fitted.hypothesis(), LogRole::kHeldOut);
+  };
+  return isWorse(error(model_), error(with), floorOf(study_.evidence));
 }
 
 bool RoughSelection::addRareEffect() {
   const std::vector<FittedModel> candidates = shortlist(model_, Screen{model_, candidates_});
-  const std::vector<Tested> improving = testRareEffects(candidates);
-  if (improving.empty()) return false;
-  const FittedModel* const best =
-      std::ranges::max_element(improving, {}, [](const Tested& one) { return one.validation.mean; })->model;
-  for (const Tested& other : improving)
-    if (other.model != best)
-      rivals_.push_back({idsOf(other.model->effects), std::max(0.0, modelEvidence(*best) - modelEvidence(*other.model)),
-                         other.model->problem.unknowns().size() > best->problem.unknowns().size()});
-  model_ = refitWithDiscrepancy(best->effects, *best);
-  dropNeedless();
-  if (!has(model_.effects, *best->effects.back().info)) rivals_.clear();  // of an effect that is gone
-  return true;
-}
-
-void RoughSelection::dropNeedless() {
-  for (std::size_t i = 0; i < model_.effects.size();) {
-    const double needed =
-        isCommon(*model_.effects[i].info) ? thresholds::kCommonEffectGain : thresholds::kRareEffectGain;
-    const FittedModel less = refitWithout(model_, i);
-    if (less.fit.cost - model_.fit.cost < needed)
-      model_ = refitWithDiscrepancy(less.effects, less);
-    else
-      ++i;
+  std::vector<Tested> helping = testRareEffects(candidates);
+  std::ranges::stable_sort(helping, std::greater{}, [](const Tested& one) { return one.validation.mean; });
+  const auto may_be_added = [&](const Tested& one) { return one.validation.improves() && !worsensHeldOut(*one.model); };
+  for (auto best = std::ranges::find_if(helping, may_be_added); best != helping.end();
+       best = std::ranges::find_if(helping, may_be_added)) {
+    const twin::EffectInfo& added = *best->model->effects.back().info;
+    FittedModel with = refitWithDiscrepancy(best->model->effects, *best->model);
+    if (isAtItsBound(with, added)) {
+      helping.erase(best);
+      continue;
+    }
+    noteRivals(helping, &*best);
+    model_ = std::move(with);
+    dropNeedless();
+    dropAtBounds();
+    if (!has(model_.effects, added)) rivals_.clear();  // of an effect that is gone
+    return true;
   }
+  noteRivals(helping, nullptr);
+  return false;
 }
 
 bool RoughSelection::hasAll(const std::vector<std::string>& effects) const {
@@ -185,7 +127,7 @@ Identification RoughSelection::result() const {
   found.gap_after_rad = rmsPositionError(study_.plant, study_.data, found.model, LogRole::kFit);
   found.remains = found.misfit > thresholds::kMisfitSigmas;
   found.verdict = found.remains ? verdictWithRemainder(found) : verdictOf(found);
-  if ((found.remains || !found.effects.empty()) && worsensHeldOut(study_, found.model, found.floor_rad))
+  if ((found.remains || !found.effects.empty()) && gap::worsensHeldOut(study_, found.model, found.floor_rad))
     withdraw(study_, true, found);
   return found;
 }

@@ -2,6 +2,7 @@
 // fits to the noise, so effects are selected by cross-validation instead. docs/gap/verdicts.md
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,12 @@
 #include "gap/identify/identification.hpp"
 
 namespace darwinop::gap {
+
+/// `effects` with all numbers free; what `from` leaves counts as noise.
+FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from);
+
+/// Cost that an effect has to remove to stay.
+double leastRoughGain(const twin::EffectInfo& effect);
 
 /// The remaining model discrepancy counts as noise (gap/fit/discrepancy.hpp). The effects that every servo has are
 /// fitted together, since each alone stands in for the others; then rarer effects one by one.
@@ -21,16 +28,26 @@ class RoughSelection {
   [[nodiscard]] Identification result() const;
 
  private:
-  /// A rarer effect with the errors that it predicts.
+  /// A rarer effect that reduces the mean of the leave-one-out errors.
   struct Tested {
     const FittedModel* model = nullptr;
     CrossValidation validation;
+    std::vector<double> errors;  // of each log, left out
   };
 
   void addCommonEffects();
   [[nodiscard]] bool addRareEffect();
   [[nodiscard]] std::vector<Tested> testRareEffects(const std::vector<FittedModel>& candidates);
+  /// Those of `tested` that predict the logs neither better nor worse than `best`, null: than the present model.
+  void noteRivals(const std::vector<Tested>& tested, const Tested* best);
+  /// Of the effects that these logs cannot show: the doubles that predict the logs as well in their place.
+  void noteDoubles();
+  [[nodiscard]] bool predictsAsWell(const FittedModel& other, const std::vector<double>& errors) const;
+  [[nodiscard]] bool worsensHeldOut(const FittedModel& with) const;
   void dropNeedless();
+  void dropAtBounds();
+  [[nodiscard]] std::optional<std::size_t> leastAtBound() const;
+  [[nodiscard]] FittedModel fitFromStarts(const Effects& effects, const FittedModel& bare) const;
   [[nodiscard]] Verdict verdictWithRemainder(const Identification& found) const;
   [[nodiscard]] bool hasAll(const std::vector<std::string>& effects) const;
 

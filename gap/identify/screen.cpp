@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gap/fit/servo_range.hpp"
 #include "gap/identify/ripple_starts.hpp"
 #include "gap/identify/start_grid.hpp"
 #include "gap/parallel/parallel.hpp"
@@ -48,7 +49,7 @@ Screen::Screen(const FittedModel& present, const std::vector<const twin::EffectI
         directions_.push_back(
             {{effect, {thresholds::kScreenRippleTorque, static_cast<double>(count), 0}, 0}, {}, true});
     } else {
-      for (auto& values : gridOf(unknownsOf(*effect)))
+      for (auto& values : gridOf(unknownsOf(*effect, present.study->baseline.servo)))
         directions_.push_back({{effect, std::move(values), 0}, {}, false});
       if (unknownsOf(*effect).empty()) continue;
     }
@@ -96,7 +97,7 @@ double Screen::predictedGain(const Direction& direction, const Eigen::VectorXd& 
     return along.dot(gram.ldlt().solve(along));
   }
   const double length = direction.change.squaredNorm();
-  if (!(length > 1e-9)) return 0;
+  if (!(length > kLeastChange)) return 0;
   const double along = -top.col(0).dot(residuals), amount = std::clamp(along / length, 0.0, 1.3);
   return 2 * amount * along - amount * amount * length;
 }

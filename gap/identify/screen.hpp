@@ -16,6 +16,11 @@ struct Candidate {
   double predicted_gain = 0;   // cost that it is predicted to remove
 };
 
+struct CandidatePair {
+  Candidate one, other;
+  double predicted_gain = 0;
+};
+
 /// A candidate moved to where its effect explains most, as far as that can be predicted without a fit.
 struct RefinedStart {
   Candidate candidate;  // its gain: with the numbers of the present model moving linearly
@@ -30,6 +35,8 @@ class Screen {
   [[nodiscard]] bool hasRipples() const;
   /// All candidates with their predicted gains, greatest first.
   [[nodiscard]] std::vector<Candidate> candidates() const;
+  /// The best pair of candidates of each two effects, greatest predicted gain first; ripples are left out.
+  [[nodiscard]] std::vector<CandidatePair> pairs() const;
   [[nodiscard]] RefinedStart refinedStart(const Candidate& candidate) const;
   /// The greatest predicted gain of any candidate if the residuals were these: for the bootstrap.
   [[nodiscard]] double greatestPredictedGain(const Eigen::VectorXd& residuals) const;
@@ -40,6 +47,7 @@ class Screen {
     Eigen::MatrixXd change;   // of the residuals, without what the unknowns of the present model can explain
     bool either_way = false;  // two columns: amplitude and phase of a ripple
   };
+  static constexpr double kLeastChange = 1e-9;  // squares of a change below which nothing changes
   [[nodiscard]] double predictedGain(const Direction& direction, const Eigen::VectorXd& residuals) const;
 
   [[nodiscard]] Eigen::VectorXd withoutAbsorbed(Eigen::VectorXd extended) const;

@@ -19,7 +19,7 @@ Selection::Choice Selection::choose(const std::vector<FittedModel>& candidates) 
       if (gain > threshold_ && gain < needed) choice.rejected.push_back({&effect, RejectionReason::kSmallShare});
       continue;
     }
-    if (staysInsideItsPrior(candidate)) {
+    if (staysInsideItsPrior(candidate, effect)) {
       // With exact numbers the best explanation is a number inside its prior: a weaker candidate is not a finding.
       if (model_.nuisance == Nuisance::kFixed && &candidate == &candidates.front()) {
         choice.present.clear();
@@ -43,8 +43,7 @@ bool Selection::passes(const FittedModel& candidate, double gain, double needed)
   return !isAtItsBound(candidate, effect) || gain >= thresholds::kBoundExcessShare * excess_cost_;
 }
 
-bool Selection::staysInsideItsPrior(const FittedModel& candidate) const {
-  const twin::EffectInfo& effect = *candidate.effects.back().info;
+bool Selection::staysInsideItsPrior(const FittedModel& candidate, const twin::EffectInfo& effect) const {
   const double most =
       model_.nuisance == Nuisance::kFixed ? thresholds::kFixedNumberSigmas : thresholds::kPriorTensionSigmas;
   return aliasesAPrior(study_.data, effect) &&
@@ -84,6 +83,7 @@ void Selection::add(const FittedModel& best, double gain, double needed, const s
       behind = std::max(behind, thresholds::kRivalEvidence);
     rivals_.push_back({idsOf(other.effects), behind, other.problem.unknowns().size() > best.problem.unknowns().size()});
   }
+  if (model_.effects.empty()) first_share_ = excess_cost_ > 0 ? gain / excess_cost_ : 1;
   gains_.push_back(gain);
   model_ = best.fit.jacobian.size() > 0 ? best : refit(best, best.effects, 1);
 }

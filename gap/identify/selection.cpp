@@ -1,5 +1,5 @@
-// The loop: screen, refine, select, cross-validate, prune. select.cpp and prune.cpp have the steps; verdict.cpp turns
-// the result into a verdict.
+// The loop: screen, refine, select, cross-validate, prune. select.cpp and prune.cpp have the steps, pairs.cpp the way
+// out of a saddle; verdict.cpp turns the result into a verdict.
 #include "gap/identify/selection.hpp"
 
 #include <algorithm>
@@ -12,9 +12,15 @@ Selection::Selection(const Study& study, const IdentifyOptions& options, Nuisanc
     : study_{study},
       options_{options},
       candidates_{candidateEffectsOf(study.data)},
-      model_{baselineAlone(study, nuisance)} {}
+      bare_{baselineAlone(study, nuisance)},
+      model_{bare_} {}
 
 void Selection::run() {
+  search();
+  if (beganAtASaddle() && takeBetterPair()) search();
+}
+
+void Selection::search() {
   bool swapped = false;
   for (;;) {
     const Screen screen{model_, candidates_};  // predicted gain of every effect, by linear algebra

@@ -16,7 +16,8 @@ class Selection {
   /// Fits the baseline alone. `study` and `options` must outlive this.
   Selection(const Study& study, const IdentifyOptions& options, Nuisance nuisance);
 
-  /// Adds, prunes and replaces effects until the residual is explained or no candidate passes.
+  /// Adds, prunes and replaces effects until the residual is explained or no candidate passes. Where the first effect
+  /// explained little, again from the best pair of basic effects.
   void run();
   /// Takes the effects of another selection over, or only these of them, refitted with this one's nuisance mode.
   /// Does not search for others.
@@ -47,6 +48,7 @@ class Selection {
   };
 
   // screen, refine
+  void search();
   void assess(const Screen* screen);
   [[nodiscard]] bool isExplained(const Screen& screen) const;
   [[nodiscard]] bool mayAdd() const;
@@ -56,7 +58,7 @@ class Selection {
   bool addFrom(const std::vector<FittedModel>& candidates);
   [[nodiscard]] Choice choose(const std::vector<FittedModel>& candidates) const;
   [[nodiscard]] bool passes(const FittedModel& candidate, double gain, double needed) const;
-  [[nodiscard]] bool staysInsideItsPrior(const FittedModel& candidate) const;
+  [[nodiscard]] bool staysInsideItsPrior(const FittedModel& candidate, const twin::EffectInfo& effect) const;
   [[nodiscard]] bool predictsBetter(const FittedModel& candidate, const FittedModel& present, double gain) const;
   [[nodiscard]] double neededFor(const twin::EffectInfo& effect) const;
   void add(const FittedModel& best, double gain, double needed, const std::vector<FittedModel>& candidates);
@@ -72,6 +74,10 @@ class Selection {
   /// Cost that effect `i` removes, in the presence of the others.
   [[nodiscard]] double gainOf(std::size_t i) const;
   [[nodiscard]] double leastGainOf(const twin::EffectInfo& effect) const;
+  // pairs
+  [[nodiscard]] bool beganAtASaddle() const;
+  [[nodiscard]] bool isSound(const FittedModel& pair) const;
+  bool takeBetterPair();
   // verdict
   [[nodiscard]] bool isNearlyExact() const;
   template <class... Values>
@@ -84,11 +90,12 @@ class Selection {
   const Study& study_;
   const IdentifyOptions& options_;
   std::vector<const twin::EffectInfo*> candidates_;  // of the catalogue
-  FittedModel model_;                                // with what was added so far
+  FittedModel bare_, model_;                         // without effects; with what was added so far
   std::vector<double> gains_;                        // one for each effect of model_
   std::vector<Rival> rivals_;
   std::vector<const twin::EffectInfo*> runners_up_;
   std::vector<RejectedEffect> rejected_;                 // of the last round
+  double first_share_ = 0;                               // of the cost beyond noise, that the first effect removed
   double threshold_ = 0, misfit_ = 0, excess_cost_ = 0;  // of model_: chance gain, misfit, cost beyond noise
 };
 

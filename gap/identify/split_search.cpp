@@ -7,6 +7,7 @@
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/cross_validation.hpp"
 #include "gap/identify/held_out.hpp"
+#include "gap/identify/selection.hpp"
 #include "gap/plant/position_error.hpp"
 
 namespace darwinop::gap {
@@ -56,20 +57,34 @@ std::vector<double> errorsOutside(const Study& study, const Hypothesis& model) {
   return errors;
 }
 
-/// On most logs the error is smaller with the effect, and on none larger by more than noise.
-bool improves(const std::vector<double>& without, const std::vector<double>& with, double floor_rad) {
-  for (std::size_t i = 0; i < with.size(); ++i)
-    if (isWorse(without[i], with[i], floor_rad)) return false;
-  return crossValidate(without, with).improves();
+/// Noise floor of each of these logs, rad: a release among the fitted ones would hide what others show.
+std::vector<double> floorsOutside(const Study& study, const Hypothesis& model) {
+  Case others = study.data;
+  for (Trajectory& log : others.logs) log.held_out = !log.held_out;
+  std::vector<double> floors;
+  for (const LogNoise& noise : evidenceOf(study.plant, others, model).noise)
+    floors.push_back(std::sqrt(noise.positionSigma().squaredNorm() / static_cast<double>(noise.size() / 2)));
+  return floors;
 }
 
-/// Drops effects that do not improve predictions outside of the half.
+/// On none of the logs the error is larger by more than noise.
+bool worsensNone(const std::vector<double>& before, const std::vector<double>& after,
+                 const std::vector<double>& floors) {
+  for (std::size_t i = 0; i < after.size(); ++i)
+    if (isWorse(before[i], after[i], floors[i])) return false;
+  return true;
+}
+
+/// Drops effects that do not improve predictions outside of the half; all, if the baseline predicts a log there better.
 void dropUnproven(const Study& half, Identification& found) {
   const FittedModel with = refitted(half, found);
-  const std::vector<double> errors = errorsOutside(half, with.hypothesis());
+  const std::vector<double> errors = errorsOutside(half, with.hypothesis()),
+                            floors = floorsOutside(half, with.hypothesis());
+  if (!worsensNone(errorsOutside(half, half.baseline), errors, floors)) return found.effects.clear();
   std::vector<IdentifiedEffect> proven;
   for (std::size_t i = 0; i < found.effects.size(); ++i) {
-    if (improves(errorsOutside(half, modelWithout(with, i)), errors, found.floor_rad)) {
+    const std::vector<double> without = errorsOutside(half, modelWithout(with, i));
+    if (worsensNone(without, errors, floors) && crossValidate(without, errors).improves()) {
       proven.push_back(found.effects[i]);
       continue;
     }
@@ -89,13 +104,29 @@ double misfitOn(const Study& study, const Hypothesis& model) {
   return misfitOf(given, bootstrapOf(given, nullptr, thresholds::kFewBootstrapRuns));
 }
 
-std::optional<Identification> foundIn(const Study& study, const Logs& logs, const IdentifyOptions& options,
-                                      const Search& search) {
+/// What leaves nothing but noise in these logs. One search with the numbers of the baseline fixed; if its effects do
+/// not explain all, the numbers move to meet them. A search with free numbers takes several times as long, for effects
+/// that half of the logs would rarely determine.
+std::optional<Identification> explain(const Study& half, const IdentifyOptions& options) {
+  Selection selection{half, options, Nuisance::kFixed};
+  selection.run();
+  if (selection.model().effects.empty()) return std::nullopt;
+  if (selection.isConsistent()) return selection.result();
+  if (selection.leavesMostOfTheGap()) return std::nullopt;
+  Selection free{half, options, Nuisance::kFree};
+  free.adopt(selection);
+  if (!free.isConsistent()) return std::nullopt;
+  return free.result();
+}
+
+std::optional<Identification> foundIn(const Study& study, const Logs& logs, const IdentifyOptions& options) {
   const Case part = withFitLogs(study.data, logs);
   const Study half{part};
-  Identification found = search(half, options);
+  std::optional<Identification> explained = explain(half, options);
+  if (!explained) return std::nullopt;
+  Identification& found = *explained;
   const bool named = found.verdict == Verdict::kNamed || found.verdict == Verdict::kAmbiguous;
-  if (!named || found.remains) return std::nullopt;
+  if (!named) return std::nullopt;
   dropUnproven(half, found);
   if (found.effects.empty() || worsensHeldOut(study, found.model, found.floor_rad)) return std::nullopt;
   found.verdict = namedOrAmbiguous(found);
@@ -104,17 +135,17 @@ std::optional<Identification> foundIn(const Study& study, const Logs& logs, cons
   found.gap_before_rad = study.gap_rad;
   found.gap_after_rad = rmsPositionError(study.plant, study.data, found.model, LogRole::kFit);
   for (const std::size_t log : logs) found.explained.push_back(study.data.logs[log].file);
-  return found;
+  return explained;
 }
 
 }  // namespace
 
-std::optional<Identification> searchInHalves(const Study& study, const IdentifyOptions& options, const Search& search) {
+std::optional<Identification> searchInHalves(const Study& study, const IdentifyOptions& options) {
   const Logs all = inSessionOrder(study);
   const auto half = static_cast<std::ptrdiff_t>(all.size() / 2);
   if (half < 3) return std::nullopt;
   for (const Logs& logs : {Logs(all.begin(), all.begin() + half), Logs(all.end() - half, all.end())})
-    if (std::optional<Identification> found = foundIn(study, logs, options, search)) return found;
+    if (std::optional<Identification> found = foundIn(study, logs, options)) return found;
   return std::nullopt;
 }
 

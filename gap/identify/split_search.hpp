@@ -2,18 +2,15 @@
 // to the noise.
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "gap/identify/identification.hpp"
 
 namespace darwinop::gap {
 
-using Search = std::function<Identification(const Study&, const IdentifyOptions&)>;
-
-/// `search` on the first and on the last half of the fit logs, by session time. Its effects are accepted if it leaves
-/// nothing but noise in its half, and each of them improves the prediction of the logs outside of that half. Then the
+/// A search on the first and on the last half of the fit logs, by session time. Its effects are accepted if they leave
+/// nothing but noise in their half, and each of them improves the prediction of the logs outside of that half. Then the
 /// other logs have a remainder. Nothing: neither half has such an effect, or there are fewer than six logs.
-std::optional<Identification> searchInHalves(const Study& study, const IdentifyOptions& options, const Search& search);
+std::optional<Identification> searchInHalves(const Study& study, const IdentifyOptions& options);
 
 }  // namespace darwinop::gap

@@ -58,6 +58,20 @@ TEST(Remainder, HeldOutLogsVouchForEachEffectThatTheyNeed) {
   EXPECT_FALSE(predictsHeldOut(fittedAt(nothing_held_out, {{"coulomb", 0.06}})));
 }
 
+// The released arm rubs more than the powered one, which no single friction explains.
+TEST(Remainder, IntervalsAreAsWideAsTheLogsDisagree) {
+  const Case bench = smallBench();
+  Case given = measured(bench, withEffect(bench, "coulomb", "friction", 0.05), 41);
+  given.logs[2] = measured(bench, withEffect(bench, "coulomb", "friction", 0.08), 41).logs[2];
+  const Study study{given};
+  const FittedModel fitted = fittedAt(study, {{"coulomb", 0.06}});
+  const Estimate friction = estimatesOf(fitted, *twin::findEffect("coulomb"), 10).front();
+  EXPECT_LT(friction.low, 0.052);
+  EXPECT_GT(friction.high, 0.078);
+  const Estimate of_right_model = estimatesOf(fitted, *twin::findEffect("coulomb"), 1).front();
+  EXPECT_LT(of_right_model.high - of_right_model.low, 0.01);
+}
+
 // Without the effect, the number of the baseline itself would take its value, however improbable that is.
 TEST(Remainder, AnEffectBeyondThePriorOfItsNumberIsNeeded) {
   Case bench = smallBench();

@@ -6,6 +6,7 @@
 #include "gap/case/case.hpp"
 #include "gap/fit/discrepancy.hpp"
 #include "gap/identify/identification.hpp"
+#include "gap/identify/shown.hpp"
 #include "gap/identify/supply_check.hpp"
 #include "gap/small_case.hpp"
 
@@ -17,6 +18,12 @@ double wave(double t) {
 }
 double lift(double t) {
   return t < 0.5 ? 0 : 1.3;
+}
+double slowWave(double t) {
+  return 1.5 + 0.12 * std::sin(1.5 * t);
+}
+double quickWave(double t) {
+  return 1.5 + 0.1 * std::sin(4 * t);
 }
 double stairs(double t) {
   return std::fmod(t, 2) < 1 ? 0.8 : -0.5;
@@ -67,11 +74,33 @@ const IdentifiedEffect* foundIn(const Identification& identification, std::strin
   return there == identification.effects.end() ? nullptr : &*there;
 }
 
-TEST(RoughNumbers, WhatEveryServoHasIsNamedThoughSomethingRemains) {
+bool isRival(const Identification& identification, std::string_view id) {
+  return std::ranges::any_of(identification.rivals, [&](const Rival& rival) {
+    return rival.isClose() && std::ranges::find(rival.effects, id) != rival.effects.end();
+  });
+}
+
+std::string namesIn(const Identification& identification) {
+  std::string names;
+  for (const IdentifiedEffect& found : identification.effects)
+    for (const Estimate& one : found.estimates) names += one.name + " = " + std::to_string(one.value) + " ";
+  for (const Rival& rival : identification.rivals) {
+    names += "; or";
+    for (const std::string& id : rival.effects) names += " " + id;
+  }
+  return names;
+}
+
+// One payload: whether friction grows with the load or with its square no log shows.
+TEST(RoughNumbers, WhatEveryServoHasIsFoundThoughSomethingRemains) {
   const Case bench = manualBench();
   const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};  // that no model of a servo knows
   const Identification identification = identify(Study{measuredIn(gusts, bench, realServo(bench))});
-  EXPECT_EQ(identification.verdict, Verdict::kNamed);
+  SCOPED_TRACE(namesIn(identification));
+  EXPECT_EQ(identification.verdict, Verdict::kAmbiguous);
+  EXPECT_TRUE(isRival(identification, "directional_load_friction"));
+  for (const Rival& rival : identification.rivals)
+    EXPECT_NE(std::ranges::find(rival.effects, "coulomb"), rival.effects.end()) << "a release shows it";
   EXPECT_TRUE(identification.remains);
   const IdentifiedEffect* const gain = foundIn(identification, "kp_scale");
   ASSERT_NE(gain, nullptr);
@@ -91,6 +120,58 @@ TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   EXPECT_FALSE(identification.remains);
   ASSERT_EQ(identification.effects.size(), 1U);
   EXPECT_EQ(identification.effects.front().effect->id, "coulomb");
+}
+
+/// A joint of an arm, from a program that records goals and positions alone: one weight, one gain, held horizontally.
+Case jointOfAnArm() {
+  Case bench = manualBench();
+  bench.logs.clear();
+  for (int i = 0; i < 6; ++i) {
+    bench.logs.push_back(commanded("horizontal", 5, 16, 0.4, i % 2 == 0 ? &slowWave : &quickWave));
+    bench.logs.back().held_out = i > 3;
+  }
+  return bench;
+}
+
+Case withoutLoads(Case given) {
+  for (Trajectory& log : given.logs)
+    log.load = log.volt_v = std::vector<double>(log.rows(), std::numeric_limits<double>::quiet_NaN());
+  return given;
+}
+
+// Under a load that never changes, friction that is proportional to it is dry friction.
+TEST(RoughNumbers, AKindOfFrictionThatNoLogShowsIsAmbiguous) {
+  const Case bench = jointOfAnArm();
+  const Disturbance gusts{.torque_nm = 0.02, .torque_time_s = 0.4};
+  const Case given = withoutLoads(measuredIn(gusts, bench, withEffect(bench, "coulomb", "friction", 0.12)));
+  const Identification identification = identify(Study{given});
+  SCOPED_TRACE(namesIn(identification));
+  EXPECT_EQ(identification.verdict, Verdict::kAmbiguous);
+  for (const std::string_view kind : {"coulomb", "load_dependent_friction"})
+    EXPECT_TRUE(foundIn(identification, kind) != nullptr || isRival(identification, kind)) << kind;
+}
+
+TEST(RoughNumbers, AnEffectAtTheEndOfItsRangeIsNotNamed) {
+  const Case bench = manualBench();
+  Hypothesis truth = realServo(bench);
+  valueOf(truth.with(*twin::findEffect("encoder_offset")), "offset") = 0.3;  // twice what any servo has
+  const Identification identification =
+      identify(Study{measuredIn({.torque_nm = 0.06, .torque_time_s = 0.4}, bench, truth)});
+  EXPECT_EQ(foundIn(identification, "encoder_offset"), nullptr) << namesIn(identification);
+}
+
+bool isShown(const Case& given, std::string_view id) {
+  return std::ranges::none_of(effectsNotShown(given), [&](const twin::EffectInfo* effect) { return effect->id == id; });
+}
+
+TEST(EffectsNotShown, AreThoseWithNoneOfTheirFeatures) {
+  Case bench = smallBench();
+  bench = measured(bench, baselineOf(bench), 1);
+  EXPECT_TRUE(isShown(bench, "coulomb")) << "a release";
+  EXPECT_FALSE(isShown(bench, "load_dependent_friction")) << "one payload";
+  EXPECT_TRUE(isShown(bench, "inertia")) << "every motion shows it";
+  bench.logs.front().payload_kg = 0.6;
+  EXPECT_TRUE(isShown(bench, "load_dependent_friction"));
 }
 
 NoiseOptions fewRuns() {

@@ -8,31 +8,32 @@
 namespace darwinop::gap {
 namespace {
 
-std::optional<Identification> foundInHalves(const std::vector<HiddenEffect>& effects, std::uint64_t seed) {
+Case measured(const std::vector<HiddenEffect>& effects, std::uint64_t seed) {
   CaseRequest request;
   request.seed = seed;
   request.effects = effects;
-  const Hidden made = hidden(request);
-  return searchInHalves(Study{made.given}, {}, &identify);
+  return hidden(request).given;
 }
 
 // The horn slips between two logs. From then on the arm hangs at another angle, which no single value of an effect
 // explains.
 const HiddenEffect kSlip{.id = "u_slip", .values = {{"slip", 0.08}, {"at", 30}}};
 
-TEST(SplitSearch, NamesWhatHoldsBeforeAndAfterAJolt) {
-  const std::optional<Identification> found = foundInHalves({{.id = "coulomb", .severity = 3}, kSlip}, 51);
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->verdict, Verdict::kNamed);
-  ASSERT_EQ(found->effects.size(), 1U);
-  EXPECT_EQ(found->effects.front().effect->id, "coulomb");
-  EXPECT_TRUE(found->remains);
-  EXPECT_EQ(found->explained.size(), 3U) << "half of the logs";
+TEST(SplitSearch, IdentifyNamesWhatHoldsBeforeAndAfterAJolt) {
+  const Case given = measured({{.id = "coulomb", .severity = 3}, kSlip}, 51);
+  const Identification found = identify(Study{given});
+  EXPECT_EQ(found.verdict, Verdict::kNamed);
+  ASSERT_EQ(found.effects.size(), 1U);
+  EXPECT_EQ(found.effects.front().effect->id, "coulomb");
+  EXPECT_TRUE(found.remains);
+  EXPECT_EQ(found.explained.size(), 3U) << "half of the logs";
 }
 
 // In the last half alone, an offset of the encoder leaves nothing but noise.
 TEST(SplitSearch, GivesTheJoltItselfNoName) {
-  const std::optional<Identification> found = foundInHalves({kSlip}, 51);
+  const Case given = measured({kSlip}, 51);
+  const Study study{given};
+  const std::optional<Identification> found = searchInHalves(study, {});
   EXPECT_FALSE(found) << found->effects.front().effect->id;
 }
 

@@ -1,0 +1,133 @@
+// Effects that every servo has, fitted together from several starts; what is needless or at the end of its range is
+// refused.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/identify/rough_selection.hpp"
+#include "gap/plant/position_error.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+bool isCommon(const twin::EffectInfo& effect) {
+  return effect.prevalence == twin::Prevalence::kCommon;
+}
+
+/// A start with these effects, every number of the baseline at its expected value.
+FittedModel restarted(const Effects& effects, const FittedModel& from) {
+  Problem problem = problemWith(*from.study, *from.evidence, effects, Nuisance::kFree);
+  Fit fit;
+  fit.x = startAfresh(problem, from.problem, from.fit.x);
+  return {from.study, effects, Nuisance::kFree, from.evidence, std::move(problem), std::move(fit), 0};
+}
+
+// From one start alone a swing that is out of phase may never come back.
+struct Start {
+  double strength;  // of a scale parameter: times its typical value
+  double side;      // of a parameter of either sign
+};
+constexpr std::array kStarts{Start{1, 1}, Start{0.3, 0}, Start{1, -1}};
+
+FittedModel startedAt(const Start& start, FittedModel fitted) {
+  const auto& unknowns = fitted.problem.unknowns();
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (parameter == nullptr || !isCommon(*parameter->info)) continue;
+    double& x = fitted.fit.x[static_cast<Eigen::Index>(i)];
+    x = unknowns[i].logarithmic ? x + std::log(start.strength) : start.side * x;
+  }
+  return fitted;
+}
+
+}  // namespace
+
+double leastRoughGain(const twin::EffectInfo& effect) {
+  return isCommon(effect) ? thresholds::kCommonEffectGain : thresholds::kRareEffectGain;
+}
+
+FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from) {
+  Evidence evidence{.plant = from.evidence->plant,
+                    .given = from.evidence->given,
+                    .logs = from.evidence->logs,
+                    .noise = {},
+                    .discrepancy = {}};
+  evidence.discrepancy = discrepancyOf(*evidence.plant, *evidence.given, evidence.logs, from.hypothesis());
+  return refit(*from.study, effects, Nuisance::kFree, {evidence, from.problem.hypothesis(), from.problem.unknowns()},
+               from.fit, 2);
+}
+
+RoughSelection::RoughSelection(const Study& study, const IdentifyOptions& options, const Effects& effects,
+                               const FittedModel& from)
+    : study_{study},
+      options_{options},
+      candidates_{candidateEffectsOf(study.data)},
+      model_{refitWithDiscrepancy(effects, refitWithDiscrepancy(effects, restarted(effects, from)))} {}
+
+void RoughSelection::addCommonEffects() {
+  options_.progress("effects that every servo has: friction of three kinds, encoder offset");
+  const std::vector<double> before = leaveOneOutErrors(model_);
+  const FittedModel bare = model_;
+  Effects common = model_.effects;
+  for (const twin::EffectInfo* const effect : candidates_)
+    if (isCommon(*effect) && !has(common, *effect)) common.push_back({effect});
+  model_ = fitFromStarts(common, bare);
+  dropNeedless();
+  // Without it the others are searched again: it had pulled them to where they do not belong.
+  for (std::optional<std::size_t> bound = leastAtBound(); bound; bound = leastAtBound()) {
+    std::erase(common, model_.effects[*bound]);
+    model_ = fitFromStarts(common, bare);
+    dropNeedless();
+  }
+  if (!crossValidate(before, leaveOneOutErrors(model_)).improves()) model_ = bare;
+}
+
+/// The start that leads to the least error.
+FittedModel RoughSelection::fitFromStarts(const Effects& effects, const FittedModel& bare) const {
+  FittedModel best = bare;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Start& start : kStarts) {
+    // The second refit has less discrepancy to accept as noise.
+    const FittedModel first = refitWithDiscrepancy(effects, startedAt(start, restarted(effects, bare)));
+    FittedModel second = refitWithDiscrepancy(effects, first);
+    const double error = meanPositionError(study_.plant, study_.data, second.hypothesis(), LogRole::kFit);
+    if (error < least) least = error, best = std::move(second);
+  }
+  return best;
+}
+
+void RoughSelection::dropNeedless() {
+  for (std::size_t i = 0; i < model_.effects.size();) {
+    const FittedModel less = refitWithout(model_, i);
+    if (less.fit.cost - model_.fit.cost < leastRoughGain(*model_.effects[i].info))
+      model_ = refitWithDiscrepancy(less.effects, less);
+    else
+      ++i;
+  }
+}
+
+/// Of the effects at the end of their range, that which the model misses least: it stands for something else, and would
+/// go on beyond the range.
+std::optional<std::size_t> RoughSelection::leastAtBound() const {
+  std::optional<std::size_t> found;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < model_.effects.size(); ++i) {
+    if (!isAtItsBound(model_, *model_.effects[i].info)) continue;
+    const double cost = refitWithout(model_, i).fit.cost;
+    if (!found || cost < least) least = cost, found = i;
+  }
+  return found;
+}
+
+void RoughSelection::dropAtBounds() {
+  for (std::optional<std::size_t> bound = leastAtBound(); bound; bound = leastAtBound()) {
+    const FittedModel less = refitWithout(model_, *bound);
+    model_ = refitWithDiscrepancy(less.effects, less);
+    dropNeedless();
+  }
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,78 @@
+// Where no log shows an effect, a fit prefers one of its doubles by chance: those that predict as well are rivals.
+#include <algorithm>
+#include <utility>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/identify/rough_selection.hpp"
+#include "gap/identify/shortlist.hpp"
+#include "gap/identify/shown.hpp"
+#include "gap/plant/baseline_alias.hpp"
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using EffectList = std::vector<const twin::EffectInfo*>;
+
+bool contains(const EffectList& list, const twin::EffectInfo* effect) {
+  return std::ranges::find(list, effect) != list.end();
+}
+
+/// Each of `doubles` beside the same effects of the model: one screen is enough for all.
+struct Trial {
+  Effects kept;
+  EffectList doubles;
+};
+
+/// A double replaces what it is confused with; and what acts in the same part of the loop, if the logs show none of it.
+std::vector<Trial> trialsOf(const FittedModel& model, const EffectList& hidden) {
+  std::vector<Trial> trials;
+  for (const twin::EffectInfo* const one : hidden) {
+    if (has(model.effects, *one) || aliasesAPrior(model.study->data, *one)) continue;
+    const EffectList like = twin::doublesOf(*one);
+    Effects others = model.effects, few = model.effects;
+    std::erase_if(
+        few, [&](const ChosenEffect& effect) { return contains(hidden, effect.info) && contains(like, effect.info); });
+    if (few.size() == model.effects.size()) continue;
+    std::erase_if(others, [&](const ChosenEffect& effect) {
+      return contains(hidden, effect.info) && (contains(like, effect.info) || effect.info->part == one->part);
+    });
+    for (const Effects& kept : {few, others}) {
+      auto trial = std::ranges::find(trials, kept, &Trial::kept);
+      if (trial == trials.end()) trial = trials.insert(trials.end(), {kept, {}});
+      if (!contains(trial->doubles, one)) trial->doubles.push_back(one);
+    }
+  }
+  return trials;
+}
+
+/// Under the noise of `model`; those that earn their place.
+std::vector<FittedModel> fitEach(const FittedModel& model, const Trial& trial) {
+  const FittedModel less = refitUnderNoiseOf(trial.kept, model.nuisance, model.problem, model.fit, model, true);
+  std::vector<FittedModel> fitted = shortlist(less, Screen{less, trial.doubles});
+  std::erase_if(fitted, [&](const FittedModel& one) {
+    return less.fit.cost - one.fit.cost < leastRoughGain(*one.effects.back().info);
+  });
+  return fitted;
+}
+
+}  // namespace
+
+/// Worse neither on the held-out logs nor on those of the fit, each left out. `errors`: of the present model.
+bool RoughSelection::predictsAsWell(const FittedModel& other, const std::vector<double>& errors) const {
+  const twin::EffectInfo& effect = *other.effects.back().info;
+  if (isAtItsBound(other, effect) || isNegligible(other, effect) || worsensHeldOut(other)) return false;
+  return !crossValidate(leaveOneOutErrors(other), errors).improves();
+}
+
+void RoughSelection::noteDoubles() {
+  const std::vector<Trial> trials = trialsOf(model_, effectsNotShown(study_.data));
+  if (trials.empty()) return;
+  options_.progress("effects that these logs do not show: do others predict as well in their place?");
+  const std::vector<double> errors = leaveOneOutErrors(model_);
+  for (const Trial& trial : trials)
+    for (const FittedModel& other : fitEach(model_, trial))
+      if (predictsAsWell(other, errors)) rivals_.push_back({idsOf(other.effects), 0, false});
+}
+
+}  // namespace darwinop::gap
