@@ -6,23 +6,74 @@
 namespace darwinop::gap {
 namespace {
 
-Verdict verdictOf(const std::vector<SensorSelection>& sensors, const BodyTable& table) {
-  const auto named = [](const SensorSelection& one) { return !one.found.effects.empty(); };
-  if (std::ranges::any_of(sensors, [](const SensorSelection& one) { return !one.rivals.empty(); }))
+Verdict verdictOf(const BodyIdentification& of) {
+  const auto has_rivals = [](const auto& one) { return !one.rivals.empty(); };
+  const auto is_named = [](const SensorSelection& one) { return !one.found.effects.empty(); };
+  if (std::ranges::any_of(of.sensors, has_rivals) || std::ranges::any_of(of.mechanics.found, has_rivals) ||
+      std::ranges::any_of(of.floor.found, has_rivals))
     return Verdict::kAmbiguous;
-  if (std::ranges::any_of(sensors, named)) return Verdict::kNamed;
-  return table.open() > 0 ? Verdict::kUnknown : Verdict::kCannotTell;
+  if (std::ranges::any_of(of.sensors, is_named) || !of.mechanics.found.empty() || !of.floor.found.empty() || of.battery)
+    return Verdict::kNamed;
+  if (of.table.open() > 0) return Verdict::kUnknown;
+  return of.table.not_tested.empty() ? Verdict::kNone : Verdict::kCannotTell;
+}
+
+/// The model with all that clamped logs have shown.
+FloorModel clampedModel(const ClampedRobot& robot, const BodyIdentification& found) {
+  std::vector<PlacedMechanics> effects;
+  for (const FoundMechanics& one : found.mechanics.found) effects.push_back(one.placed);
+  FloorModel out{.robot = {.robot = with(robot, effects), .floor = {}}};
+  for (const SensorSelection& one : found.sensors)
+    (one.sensor == ImuSensor::kGyro ? out.imu.gyro : out.imu.accel) = one.found.deviation;
+  return out;
+}
+
+/// Joints of limbs that clamped logs leave unexplained.
+std::vector<Joint> unexplainedJoints(const ClampedRobot& robot, const MechanicsSelection& mechanics) {
+  std::vector<Joint> out;
+  for (const Limb& limb : robot.limbs()) {
+    const bool is_open = std::ranges::any_of(limb, [&](const Link& link) {
+      return std::ranges::any_of(mechanics.rows, [&](const BodyRow& row) {
+        return row.open && row.place.name == kJointTable[static_cast<std::size_t>(link.joint)].name;
+      });
+    });
+    if (!is_open) continue;
+    for (const Link& link : limb) out.push_back(link.joint);
+  }
+  return out;
+}
+
+/// Joints and recordings without contact come first: what they do not explain in a leg acts on the whole robot.
+bool carriesTheRobot(Joint joint) {
+  return joint == Joint::kFootR || joint == Joint::kFootL;
 }
 
 }  // namespace
 
-BodyIdentification identify(const BodyCase& given) {
+BodyIdentification identify(const BodyCase& given, BodyScope scope) {
   const auto begin = std::chrono::steady_clock::now();
   const RestingImu imu{given.joints.model};
   BodyIdentification out;
-  out.table = localize(given, imu);
-  out.sensors = identifySensors(given, imu, out.table);
-  out.verdict = verdictOf(out.sensors, out.table);
+  if (scope == BodyScope::kSensors) {
+    out.table = localize(given, imu);
+    out.sensors = identifySensors(given, imu, out.table);
+  } else {
+    out.battery = identifyBattery(given);
+    ClampedRobot robot{given, out.battery.has_value()};
+    out.table = localize(given, imu, robot);
+    out.mechanics = identifyMechanics(robot, out.table);
+    out.sensors = identifySensors(given, imu, out.table);
+    const std::vector<Joint> unexplained = unexplainedJoints(robot, out.mechanics);
+    const bool legs_are_explained = std::ranges::none_of(unexplained, carriesTheRobot);
+    if (legs_are_explained)
+      out.floor = identifyFloor(given, clampedModel(robot, out), unexplained, out.table.rows.size());
+    std::vector<BodyRow> rows = std::move(out.table.rows);
+    rows.insert(rows.end(), out.floor.rows.begin(), out.floor.rows.end());
+    out.table = tableOf(std::move(rows));
+    if (!legs_are_explained)
+      out.table.not_tested = {"trunk, floor, contact, gyroscope in motion: joints of a leg are not explained"};
+  }
+  out.verdict = verdictOf(out);
   out.runtime_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;
 }

@@ -1,10 +1,15 @@
-// Which effect of a whole robot explains what the table shows. Today: effects of a resting inertial sensor.
+// Which effects of a whole robot explain what the table shows: of a resting inertial sensor, of joints and links while
+// the trunk is clamped, of trunk, floor and moving sensor on the floor.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gap/identify/body/battery.hpp"
+#include "gap/identify/body/floor_selection.hpp"
+#include "gap/identify/body/mechanics_selection.hpp"
 #include "gap/identify/body/sensor_effect.hpp"
 #include "gap/identify/identification.hpp"
 #include "gap/localize/body/body_table.hpp"
@@ -25,14 +30,20 @@ struct SensorSelection {
 /// `imu`: of the case's model. No sensor without a log with a clamped trunk.
 std::vector<SensorSelection> identifySensors(const BodyCase& given, const RestingImu& imu, const BodyTable& table);
 
+/// What is looked at: the inertial sensor needs no simulation.
+enum class BodyScope : std::uint8_t { kAll, kSensors };
+
 struct BodyIdentification {
-  Verdict verdict = Verdict::kCannotTell;  // never kNone: not all blocks are tested
+  Verdict verdict = Verdict::kCannotTell;  // kNone: agreement, and everything is tested
   std::vector<SensorSelection> sensors;
-  BodyTable table;
+  std::optional<FoundBattery> battery;  // the simulations then have the measured supply
+  MechanicsSelection mechanics;
+  FloorSelection floor;
+  BodyTable table;  // its rows of the floor are about what clamped logs have shown
   double runtime_s = 0;
 };
 
-BodyIdentification identify(const BodyCase& given);
+BodyIdentification identify(const BodyCase& given, BodyScope scope = BodyScope::kAll);
 
 /// For a terminal; for programs: verdict, effects, ambiguity, where and scores.
 std::string asText(const BodyIdentification& found);

@@ -4,6 +4,8 @@
 
 #include "core/text/formatted.hpp"
 #include "gap/identify/body/body_identification.hpp"
+#include "gap/identify/body/floor_text.hpp"
+#include "gap/identify/body/mechanics_text.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -79,12 +81,33 @@ Object effectJson(const SensorFit& fit, const SensorEffect& effect) {
           {"interval_90", {{effect.parameter, interval}}}};
 }
 
+/// An effect of its control law was found for the load of this joint; or one in its limb, and its position is closed
+/// now.
+bool isExplained(const MechanicsSelection& selection, const BodyRow& open) {
+  const auto is_of_its_load = [&](const FoundMechanics& one) {
+    return one.is_in_controller &&
+           std::ranges::any_of(one.placed.joints, [&](Joint joint) { return row(joint).name == open.place.name; });
+  };
+  if (open.block == Block::kController && std::ranges::any_of(selection.found, is_of_its_load)) return true;
+  const auto now =
+      std::ranges::find(selection.rows, open.place.name, [](const BodyRow& one) { return one.place.name; });
+  return !selection.found.empty() && now != selection.rows.end() && !now->open;
+}
+
+/// An effect on the floor was found, and this signal is closed now.
+bool isExplained(const FloorSelection& selection, const std::string& signal) {
+  const auto row = std::ranges::find(selection.rows_after, signal, &BodyRow::signal);
+  return !selection.found.empty() && row != selection.rows_after.end() && !row->open;
+}
+
 /// Rows of the table that no named effect explains.
 std::vector<const BodyRow*> unexplained(const BodyIdentification& found) {
   std::vector<const BodyRow*> rows;
   for (const BodyRow& row : found.table.rows) {
     if (!row.open) continue;
-    bool is_explained = false;
+    // A block of a joint is explained where its limb is: load and position have one cause.
+    bool is_explained = row.place.kind == Place::Kind::kJoint && isExplained(found.mechanics, row);
+    if (row.place.kind == Place::Kind::kContact) is_explained = isExplained(found.floor, row.signal);
     for (const SensorSelection& one : found.sensors)
       if (row.place.name == name(one.sensor)) is_explained = !one.found.effects.empty() && !one.remains;
     if (!is_explained) rows.push_back(&row);
@@ -99,7 +122,9 @@ std::string verdictText(const BodyIdentification& found) {
     case Verdict::kAmbiguous:
       return "Ambiguous: these logs do not separate\n";
     case Verdict::kUnknown:
-      return "Unknown: signals diverge, and no effect of an inertial sensor explains them\n";
+      return "Unknown: signals diverge, and no effect of the catalogue explains them\n";
+    case Verdict::kNone:
+      return "None: recordings and model agree\n";
     default:
       return "Cannot tell: what was tested agrees with the model, and not everything is tested\n";
   }
@@ -119,6 +144,8 @@ std::string asText(const BodyIdentification& found) {
                               std::string{name(one.sensor)}.c_str(), one.held_out_before, one.held_out_after,
                               std::string{unitOf(one.sensor)}.c_str(), one.held_out_floor);
   }
+  if (found.battery) text += asText(*found.battery);
+  text += asText(found.mechanics) + asText(found.floor);
   for (const BodyRow* const row : unexplained(found))
     text += "  not explained: " + row->signal + ", " + std::string{name(row->block)} + "\n";
   return text;
@@ -134,6 +161,21 @@ nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& f
     before[key] = known(one.held_out_before);
     after[key] = known(one.held_out_after);
     floor[key] = known(one.held_out_floor);
+  }
+  if (found.battery) effects.push_back(effectJson(*found.battery));
+  const std::vector<Limb> limbs = limbsOf(given.joints.model);
+  for (const FoundMechanics& one : found.mechanics.found) {
+    effects.push_back(effectJson(one, limbs));
+    if (!one.rivals.empty()) ambiguity.push_back(alternativesOf(one));
+  }
+  for (const FoundFloor& one : found.floor.found) {
+    effects.push_back(effectJson(one));
+    if (!one.rivals.empty()) ambiguity.push_back(alternativesOf(one));
+  }
+  if (!found.mechanics.rows.empty()) {
+    before["joints_mrad"] = known(1e3 * found.mechanics.held_out_before);
+    after["joints_mrad"] = known(1e3 * found.mechanics.held_out_after);
+    floor["joints_mrad"] = known(1e3 * found.mechanics.held_out_floor);
   }
   for (const BodyRow& row : found.table.rows)
     if (row.open)

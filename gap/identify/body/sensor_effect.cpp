@@ -8,16 +8,16 @@
 namespace darwinop::gap {
 
 std::span<const SensorEffect> sensorEffects() {
-  using Number = SensorEffect::Number;
+  using Kind = SensorEffect::Number;
   static constexpr std::array kEffects{
-      SensorEffect{"gyro_bias", "gyro", "bias", "rad/s", ImuSensor::kGyro, Number::kBias, thresholds::kGyroBias},
-      SensorEffect{"accel_bias", "accelerometer", "bias", "m/s2", ImuSensor::kAccelerometer, Number::kBias,
+      SensorEffect{"gyro_bias", "gyro", "bias", "rad/s", ImuSensor::kGyro, Kind::kBias, thresholds::kGyroBias},
+      SensorEffect{"accel_bias", "accelerometer", "bias", "m/s2", ImuSensor::kAccelerometer, Kind::kBias,
                    thresholds::kAccelBias},
-      SensorEffect{"accel_scale", "accelerometer", "scale", "", ImuSensor::kAccelerometer, Number::kScale,
+      SensorEffect{"accel_scale", "accelerometer", "scale", "", ImuSensor::kAccelerometer, Kind::kScale,
                    thresholds::kAccelScale},
-      SensorEffect{"imu_mounting", "imu", "rotation", "rad", ImuSensor::kAccelerometer, Number::kRotation,
+      SensorEffect{"imu_mounting", "imu", "rotation", "rad", ImuSensor::kAccelerometer, Kind::kRotation,
                    thresholds::kImuRotation},
-      SensorEffect{"accel_axes", "accelerometer", "map", "", ImuSensor::kAccelerometer, Number::kMap,
+      SensorEffect{"accel_axes", "accelerometer", "map", "", ImuSensor::kAccelerometer, Kind::kMap,
                    std::numeric_limits<double>::infinity()}};
   return kEffects;
 }

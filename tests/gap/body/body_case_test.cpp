@@ -57,6 +57,8 @@ TEST(BodyCase, AnErrorNamesTheFileTheLineAndTheField) {
   EXPECT_THAT(good.with("\"repeat_of\": \"up.csv\"", "\"repeat_of\": \"down.csv\"").error(),
               AllOf(HasSubstr("`logs[1].repeat_of`"), HasSubstr(messages::kRepeatOfNothing)));
   EXPECT_THAT(good.with("\"setup\": \"floor\"", "\"setup\": \"flor\"").error(), HasSubstr("`logs[4].setup`"));
+  EXPECT_THAT(good.with("\"role\": \"fit\"", "\"role\": \"other\"").error(),
+              AllOf(HasSubstr("`logs[0].role`"), HasSubstr(messages::kOtherOfBody)));
   EXPECT_THAT(good.with("{\"exact\": true}", "{\"servos\": 0.1}").error(),
               AllOf(HasSubstr("`trust.servos`"), HasSubstr("servo")));
   EXPECT_THAT(good.with("floor.csv", "../floor.csv").error(), HasSubstr(messages::kBeyondFolder));

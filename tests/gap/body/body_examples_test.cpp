@@ -2,12 +2,12 @@
 // is read by this test alone.
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "gap/case/body/body_check.hpp"
 #include "gap/identify/body/body_identification.hpp"
+#include "support/shared_data.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -15,8 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path bodyExamples() {
-  const char* const folder = std::getenv("DARWINOP_SHARED");
-  return fs::path{folder != nullptr ? folder : DARWINOP_SHARED} / "body-gap-cases";
+  return sharedData("body-gap-cases");
 }
 
 /// Those of the effects that this version can name.
@@ -31,7 +30,7 @@ TEST(BodyExamples, SensorEffectsAreNamedWithTheirNumbersAndNothingElseIs) {
   for (const auto& [name, truth] : key.items()) {
     const BodyCase c = readBodyCase((bodyExamples() / "cases" / name).string());
     EXPECT_THAT(checkData(c).warnings, testing::IsEmpty()) << name;
-    const nlohmann::ordered_json answer = asJson(c, identify(c));
+    const nlohmann::ordered_json answer = asJson(c, identify(c, BodyScope::kSensors));
     std::vector<std::string> expected, found;
     for (const auto& effect : truth["effects"])
       if (isOfSensor(effect)) expected.push_back(effect["id"]);

@@ -12,7 +12,7 @@ using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
 BodyIdentification answerTo(const SyntheticRobot& robot) {
-  return identify(BodyTexts{robot}.read());
+  return identify(BodyTexts{robot}.read(), BodyScope::kSensors);
 }
 
 std::vector<std::string_view> idsIn(const BodyIdentification& answer) {
@@ -89,7 +89,7 @@ TEST(BodyIdentify, OneOrientationLeavesItAmbiguous) {
   BodyCase c = BodyTexts{robot}.read();
   for (BodyLog& log : c.logs)
     if (log.up && (*log.up)[1] != 1) log.setup = BodySetup::kFloor, log.up.reset();
-  const BodyIdentification answer = identify(c);
+  const BodyIdentification answer = identify(c, BodyScope::kSensors);
   EXPECT_EQ(answer.verdict, Verdict::kAmbiguous);
   std::vector<std::string_view> ids = idsIn(answer);
   for (const SensorFit& rival : ofAccelerometer(answer).rivals) ids.push_back(rival.effects.front()->id);
@@ -112,7 +112,7 @@ TEST(BodyIdentify, ANamedEffectKeepsItsNameBesideARemainder) {
   robot.gyro_bias = {0.12, 0, 0};
   robot.duty = [](std::size_t joint, double duty) { return joint == index(Joint::kHead) ? 0.6 * duty : duty; };
   const BodyCase c = BodyTexts{robot}.read();
-  const BodyIdentification answer = identify(c);
+  const BodyIdentification answer = identify(c, BodyScope::kSensors);
   EXPECT_EQ(answer.verdict, Verdict::kNamed);
   const nlohmann::ordered_json json = asJson(c, answer);
   EXPECT_EQ(json["effects"][0]["id"], "gyro_bias");

@@ -1,0 +1,41 @@
+// Effects that only recordings on the floor show: contact, trunk, and the inertial sensor in motion.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "gap/localize/body/floor_residuals.hpp"
+
+namespace darwinop::gap {
+
+struct FloorEffect {
+  struct Number {
+    std::string_view key, unit;  // numbers with one key are one vector
+    double low, high;
+    double step;             // of a derivative
+    double prior_sigma = 0;  // about `prior_mean`; 0: flat in the range
+    double prior_mean = 0;
+    bool is_fixed = false;  // never fitted
+    bool is_logarithmic = false;
+    double shown_offset = 0;  // of an answer
+  };
+  std::string_view id, at;
+  bool is_of_sensor = false;  // needs no simulation
+  bool is_linear = false;     // starts are combined
+  std::vector<Number> numbers;
+  std::vector<double> neutral;
+  std::vector<std::vector<double>> starts;
+  std::function<void(FloorModel&, const std::vector<double>& values)> apply;
+};
+
+/// For robots near this model. To add one: a row in floor_effect.cpp.
+std::vector<FloorEffect> floorEffects(const twin::Model& model);
+
+struct PlacedFloor {
+  const FloorEffect* effect = nullptr;
+  std::vector<double> values;
+};
+using FloorSet = std::vector<PlacedFloor>;
+
+}  // namespace darwinop::gap

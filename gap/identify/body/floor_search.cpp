@@ -1,0 +1,130 @@
+#include "gap/identify/body/floor_search.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "gap/thresholds.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+FloorSet with(FloorSet set, PlacedFloor placed) {
+  set.push_back(std::move(placed));
+  return set;
+}
+
+/// What an effect pays for its numbers (Schwarz); one that is chosen from a list, for the length of the list.
+double priceOf(const FloorEffect& effect, double samples) {
+  const auto is_fixed = [](const FloorEffect::Number& number) { return number.is_fixed; };
+  if (std::ranges::all_of(effect.numbers, is_fixed)) return 2 * std::log(static_cast<double>(effect.starts.size()));
+  return static_cast<double>(effect.numbers.size()) * std::log(samples);
+}
+
+/// The best of an effect's starts, on top of what was found.
+FloorSet bestStart(FloorEvaluator& evaluator, const FloorSet& found, const FloorEffect& effect, double& cost) {
+  std::vector<FloorSet> sets;
+  for (const std::vector<double>& start : effect.starts) sets.push_back(with(found, {&effect, start}));
+  if (effect.is_linear) {
+    const Eigen::VectorXd base = evaluator.residuals({found}).front();
+    const std::vector<Eigen::VectorXd> moved = evaluator.residuals(sets);
+    Eigen::MatrixXd changes(base.size(), std::ssize(sets));
+    for (std::size_t i = 0; i < sets.size(); ++i) changes.col(static_cast<Eigen::Index>(i)) = base - moved[i];
+    Eigen::MatrixXd normal = changes.transpose() * changes;
+    normal.diagonal().array() += 1;
+    const Eigen::VectorXd factors = normal.ldlt().solve(changes.transpose() * base);
+    std::vector<FloorSet> combined;
+    for (const double share : {1.0, 0.5}) {
+      std::vector<double> values = effect.neutral;
+      for (std::size_t i = 0; i < sets.size(); ++i)
+        for (std::size_t k = 0; k < values.size(); ++k)
+          values[k] += share * factors[static_cast<Eigen::Index>(i)] * (effect.starts[i][k] - effect.neutral[k]);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = std::clamp(values[k], effect.numbers[k].low, effect.numbers[k].high);
+      combined.push_back(with(found, {&effect, values}));
+    }
+    sets = std::move(combined);
+  }
+  const std::vector<Eigen::VectorXd> residuals = evaluator.residuals(sets);
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    if (costOf(sets[i], residuals[i]) < costOf(sets[best], residuals[best])) best = i;
+  cost = costOf(sets[best], residuals[best]);
+  return sets[best];
+}
+
+/// The last effect of `set` at other strengths, with all of its numbers and with some of them at neutral.
+std::vector<FloorSet> variationsOf(const FloorSet& set) {
+  const PlacedFloor& last = set.back();
+  const std::size_t masks = std::size_t{1} << last.values.size();
+  std::vector<FloorSet> out;
+  for (std::size_t kept = 1; kept < masks; ++kept)
+    for (const double strength : thresholds::kFloorStrengths) {
+      out.push_back(set);
+      for (std::size_t i = 0; i < last.values.size(); ++i) {
+        const FloorEffect::Number& number = last.effect->numbers[i];
+        const double neutral = last.effect->neutral[i], share = (kept >> i & 1) != 0 || number.is_fixed ? strength : 0;
+        out.back().back().values[i] = std::clamp(neutral + share * (last.values[i] - neutral), number.low, number.high);
+      }
+    }
+  return out;
+}
+
+/// Walks are chaotic: the cost has many minima, and derivatives lead into the nearest. Goes on from a better variation.
+FloorFit outOfValley(FloorEvaluator& evaluator, FloorFit fit) {
+  for (int round = 0; round < thresholds::kFloorValleys; ++round) {
+    const std::vector<FloorSet> sets = variationsOf(fit.set);
+    const std::vector<Eigen::VectorXd> residuals = evaluator.residuals(sets);
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      if (costOf(sets[i], residuals[i]) < costOf(sets[best], residuals[best])) best = i;
+    if (!(costOf(sets[best], residuals[best]) < fit.cost)) break;
+    fit = fitFloor(evaluator, sets[best], thresholds::kFloorIterations);
+  }
+  return fit;
+}
+
+}  // namespace
+
+std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<FloorEffect>& effects,
+                                             const FloorSet& found, double base_cost) {
+  std::vector<FloorCandidate> simulated, sensed;
+  for (const FloorEffect& effect : effects) {
+    if (std::ranges::find(found, &effect, &PlacedFloor::effect) != found.end()) continue;
+    FloorCandidate one;
+    one.fit.set = bestStart(evaluator, found, effect, one.start_cost);
+    (effect.is_of_sensor ? sensed : simulated).push_back(std::move(one));
+  }
+  std::ranges::stable_sort(simulated, {}, &FloorCandidate::start_cost);
+  if (simulated.size() > thresholds::kFittedFloor) simulated.resize(thresholds::kFittedFloor);
+  std::vector<FloorCandidate> all = std::move(simulated);
+  for (FloorCandidate& one : sensed) all.push_back(std::move(one));
+  const double noise = static_cast<double>(evaluator.size()) * thresholds::kFloorCostOfNoise;
+  double best_cost = base_cost;
+  const auto isFarBehind = [&](double cost, double times) {
+    return cost - noise > times * std::max(thresholds::kMechanicsShare * noise, best_cost - noise);
+  };
+  std::ranges::stable_sort(all, {}, &FloorCandidate::start_cost);
+  // A rival that stays far behind is not searched to its end, nor any where all leave too much.
+  for (FloorCandidate& one : all) {
+    const bool is_hopeless = isFarBehind(one.start_cost, thresholds::kFloorStartFarBehind);
+    one.fit = fitFloor(evaluator, std::move(one.fit.set), is_hopeless ? 0 : thresholds::kFloorRivalIterations);
+    best_cost = std::min(best_cost, one.fit.cost);
+  }
+  const bool is_worth_it = base_cost - best_cost > thresholds::kFloorShare * (base_cost - noise);
+  for (FloorCandidate& one : all) {
+    if (is_worth_it && !isFarBehind(one.fit.cost, thresholds::kFloorFarBehind))
+      one.fit = outOfValley(evaluator, fitFloor(evaluator, std::move(one.fit.set), thresholds::kFloorIterations));
+    best_cost = std::min(best_cost, one.fit.cost);
+    // What no model explains is not noise of independent samples.
+    const double samples = static_cast<double>(evaluator.size()) / thresholds::kCorrelatedSamples;
+    const double scale =
+        thresholds::kCorrelatedSamples * std::max(1.0, one.fit.cost / static_cast<double>(evaluator.size()));
+    one.evidence = (base_cost - one.fit.cost) / scale - priceOf(*one.fit.set.back().effect, samples) -
+                   2 * std::log(static_cast<double>(effects.size()));
+  }
+  std::ranges::stable_sort(all, std::greater{}, &FloorCandidate::evidence);
+  return all;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,20 @@
+// The next effect of floor, trunk or moving sensor: starts, fits and evidence of all names.
+#pragma once
+
+#include <vector>
+
+#include "gap/identify/body/floor_fit.hpp"
+
+namespace darwinop::gap {
+
+struct FloorCandidate {
+  FloorFit fit;           // of all effects found, and of one more
+  double start_cost = 0;  // of the best start
+  double evidence = 0;    // gain of the cost less the prices of numbers and name
+};
+
+/// Every effect that was not found yet, best by evidence first. `base_cost`: of `found` alone.
+std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<FloorEffect>& effects,
+                                             const FloorSet& found, double base_cost);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,40 @@
+// Which effects of floor, trunk and moving sensor explain the recordings on the floor: forward selection.
+#pragma once
+
+#include <memory>
+
+#include "gap/identify/body/floor_fit.hpp"
+#include "gap/localize/body/body_table.hpp"
+
+namespace darwinop::gap {
+
+struct FoundFloor {
+  PlacedFloor placed;
+  std::vector<double> sigmas;       // of its values; 0: not fitted
+  std::vector<PlacedFloor> rivals;  // that the data do not exclude, best first
+};
+
+/// Rms of the residuals on held-out logs on the floor: joints in rad, sensors in their units. NaN: there are none.
+struct FloorErrors {
+  double joints = 0, gyro = 0, accel = 0;
+};
+
+/// False: held-out logs show that the names stand for something else. More than kRemainingFloors remain, and less than
+/// kExplainedGapShare of the square of what is beyond noise is gone. `by_gyro`: only sensors deviate, which no joint
+/// shows.
+bool isVerified(const FloorErrors& before, const FloorErrors& after, bool by_gyro);
+
+struct FloorSelection {
+  std::shared_ptr<const std::vector<FloorEffect>> effects;  // that are looked for
+  std::vector<FoundFloor> found;                            // in the order in which they were found
+  std::vector<BodyRow> rows, rows_after;                    // before and with what was found
+  std::vector<PlacedFloor> tried;                           // nearest, but no name
+  FloorErrors held_out_before, held_out_after;
+};
+
+/// `about`: the model with all that clamped logs have shown. `ignored`: joints that they leave unexplained.
+/// `other_rows`: of the table, that compete for the level of significance.
+FloorSelection identifyFloor(const BodyCase& given, const FloorModel& about, const std::vector<Joint>& ignored,
+                             std::size_t other_rows);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,89 @@
+#include "gap/identify/body/floor_text.hpp"
+
+#include "core/text/formatted.hpp"
+#include "core/units.hpp"
+#include "gap/thresholds.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+/// Numbers with one key are one vector.
+struct FloorQuantity {
+  std::string key, unit;
+  std::vector<double> values, half_widths;
+};
+
+std::vector<FloorQuantity> quantitiesOf(const FoundFloor& one) {
+  std::vector<FloorQuantity> out;
+  for (std::size_t i = 0; i < one.placed.values.size(); ++i) {
+    const FloorEffect::Number& number = one.placed.effect->numbers[i];
+    if (out.empty() || out.back().key != number.key)
+      out.push_back({std::string{number.key}, std::string{number.unit}, {}, {}});
+    out.back().values.push_back(one.placed.values[i] + number.shown_offset);
+    if (i < one.sigmas.size() && one.sigmas[i] > 0)
+      out.back().half_widths.push_back(thresholds::kInterval90 * one.sigmas[i]);
+  }
+  return out;
+}
+
+std::string placeText(const FloorEffect& effect) {
+  return std::string{effect.id} + " at " + std::string{effect.at};
+}
+
+nlohmann::ordered_json nameJson(const FloorEffect& effect) {
+  return {{"id", effect.id}, {"at", effect.at}};
+}
+
+}  // namespace
+
+std::string asText(const FloorSelection& selection) {
+  std::string text;
+  for (const FoundFloor& one : selection.found) {
+    text += "  " + placeText(*one.placed.effect);
+    for (const FloorQuantity& of : quantitiesOf(one)) {
+      text += ", " + of.key;
+      for (std::size_t i = 0; i < of.values.size(); ++i) {
+        text += text::formatted(" %.4g", of.values[i]);
+        if (i < of.half_widths.size()) text += text::formatted(" +-%.2g", of.half_widths[i]);
+      }
+      if (!of.unit.empty()) text += " " + of.unit;
+    }
+    text += "\n";
+    for (const PlacedFloor& rival : one.rivals) text += "  or " + placeText(*rival.effect) + "\n";
+  }
+  for (const PlacedFloor& one : selection.tried)
+    text += "  nearest, but it leaves too much: " + placeText(*one.effect) + "\n";
+  if (!selection.found.empty() && selection.held_out_before.joints >= 0)
+    text += text::formatted(
+        "  held-out logs on the floor: joints %.2f -> %.2f mrad, gyro %.3f -> %.3f rad/s, "
+        "accelerometer %.2f -> %.2f m/s2\n",
+        1e3 * selection.held_out_before.joints, 1e3 * selection.held_out_after.joints, selection.held_out_before.gyro,
+        selection.held_out_after.gyro, selection.held_out_before.accel, selection.held_out_after.accel);
+  return text;
+}
+
+nlohmann::ordered_json effectJson(const FoundFloor& one) {
+  nlohmann::ordered_json params = nlohmann::ordered_json::object(), interval = params;
+  for (const FloorQuantity& of : quantitiesOf(one)) {
+    const bool is_number = of.values.size() == 1;
+    params[of.key] = is_number ? nlohmann::ordered_json(of.values.front()) : nlohmann::ordered_json(of.values);
+    if (of.half_widths.size() != of.values.size()) continue;
+    nlohmann::ordered_json ends = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < of.values.size(); ++i)
+      ends.push_back({of.values[i] - of.half_widths[i], of.values[i] + of.half_widths[i]});
+    interval[of.key] = is_number ? ends.front() : ends;
+  }
+  nlohmann::ordered_json out = nameJson(*one.placed.effect);
+  out["params"] = params;
+  out["interval_90"] = interval;
+  return out;
+}
+
+nlohmann::ordered_json alternativesOf(const FoundFloor& one) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  out.push_back(nameJson(*one.placed.effect));
+  for (const PlacedFloor& rival : one.rivals) out.push_back(nameJson(*rival.effect));
+  return out;
+}
+
+}  // namespace darwinop::gap

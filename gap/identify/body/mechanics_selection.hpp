@@ -1,0 +1,32 @@
+// Which effects of joints and links explain what the clamped limbs show: forward selection, best of all names.
+#pragma once
+
+#include "gap/identify/body/mechanics_fit.hpp"
+#include "gap/localize/body/body_table.hpp"
+
+namespace darwinop::gap {
+
+struct FoundMechanics {
+  PlacedMechanics placed;
+  std::vector<double> sigmas;           // of its values; 0: not fitted
+  std::vector<PlacedMechanics> rivals;  // that the data do not exclude, best first
+  double gain = 0;                      // of the cost, by this effect
+  double excess_before = 0;             // beyond noise in its limbs when it was added
+  bool is_in_controller = false;        // found in the loads alone, whatever else is wrong in its limbs
+};
+
+struct MechanicsSelection {
+  std::vector<FoundMechanics> found;   // in the order in which they were found
+  std::vector<BodyRow> rows;           // of the table, with what was found; those that remain are open
+  std::vector<PlacedMechanics> tried;  // earned its place, but left too much unexplained for a name
+  // Rms of the positions of all joints in the held-out logs with a clamped trunk, rad; NaN: there are none.
+  double held_out_before = 0, held_out_after = 0, held_out_floor = 0;
+};
+
+/// Names that an effect at its places competes with count: twice the logarithm of their number is the price of one.
+double namePrice(const PlacedMechanics& placed);
+
+/// `robot`: its noise is estimated again about what is found.
+MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table);
+
+}  // namespace darwinop::gap

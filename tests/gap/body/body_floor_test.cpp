@@ -1,0 +1,170 @@
+// Recordings on the floor: roll-out, sensors in motion, and effects of floor, trunk and gyroscope.
+#include <gmock/gmock.h>
+
+#include "gap/body/moving_robot.hpp"
+#include "gap/body/standing_robot.hpp"
+#include "gap/identify/body/battery.hpp"
+#include "gap/identify/body/body_identification.hpp"
+#include "gap/identify/body/floor_text.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+FloorSelection answerFor(const FloorModel& hidden, std::uint64_t seed = 1) {
+  return identifyFloor(standingRobot(hidden, seed), shippedOnFloor(), {}, 0);
+}
+
+double openRows(const std::vector<BodyRow>& rows) {
+  return static_cast<double>(std::ranges::count_if(rows, &BodyRow::open));
+}
+
+TEST(BodyFloor, AStandingRobotReadsGravityAndAFloorThatSlopesTurnsIt) {
+  BodyCase given;
+  given.joints.model = twin::readModel(twin::findModel("darwin-op"));
+  addRecording(given, BodySetup::kLying, 10, false);
+  given.logs[0].setup = BodySetup::kFloor, given.logs[0].lies_on.clear();
+  const MovingImu imu{given.joints.model};
+  FloorModel model = shippedOnFloor();
+  const Eigen::RowVector3d level = imu.of(rollOut(given, 0, model.robot), model.imu).accel_m_s2.row(9);
+  EXPECT_NEAR(level.norm(), 9.81, 0.02);
+  EXPECT_NEAR(level[0], 0, 0.02);  // right
+  model.robot.floor.tilt_rad = {0.05, 0};
+  const Eigen::RowVector3d left_up = imu.of(rollOut(given, 0, model.robot), model.imu).accel_m_s2.row(9);
+  EXPECT_NEAR(left_up[0], -9.81 * 0.05, 0.1);
+  given.logs[0].setup = BodySetup::kLying, given.logs[0].lies_on = "front";
+  model.robot.floor.tilt_rad = {0, 0};
+  const Eigen::RowVector3d face_down = imu.of(rollOut(given, 0, model.robot), model.imu).accel_m_s2.row(9);
+  EXPECT_NEAR(face_down[1], -9.81, 0.5);  // forward
+}
+
+TEST(BodyFloor, ASensorIsLateSlowLimitedAndTurnedAsItsDeviationSays) {
+  const MovingImu imu{twin::readModel(twin::findModel("darwin-op"))};
+  constexpr Eigen::Index kCycles = 200;
+  FloorTrace trace{.position_rad = {},
+                   .gyro_rad_s = Eigen::MatrixX3d::Zero(kCycles, 3),
+                   .accel_m_s2 = Eigen::MatrixX3d::Zero(kCycles, 3),
+                   .cycle_of_row = {99, 110, 120, 199}};
+  trace.gyro_rad_s.bottomRows(kCycles - 100).col(0).setConstant(1);  // from cycle 100 on
+  ImuDeviation deviation;
+  deviation.delay_s = 0.015;
+  EXPECT_EQ(imu.of(trace, deviation).gyro_rad_s(1, 0), 0);
+  EXPECT_EQ(imu.of(trace, deviation).gyro_rad_s(2, 0), 1);
+  deviation.delay_s = 0, deviation.lowpass_s = 0.02;
+  EXPECT_NEAR(imu.of(trace, deviation).gyro_rad_s(2, 0), 1 - std::exp(-21. / 20), 1e-9);
+  deviation.lowpass_s = 0, deviation.range_rad_s = 0.4;
+  EXPECT_EQ(imu.of(trace, deviation).gyro_rad_s(3, 0), 0.4);
+  deviation.range_rad_s = 30, deviation.gyro.scale = {1.2, 1, 1}, deviation.gyro.bias = {0, 0.1, 0};
+  EXPECT_NEAR(imu.of(trace, deviation).gyro_rad_s(3, 0), 1.2, 1e-12);
+  EXPECT_NEAR(imu.of(trace, deviation).gyro_rad_s(3, 1), 0.1, 1e-12);
+  deviation = {};
+  deviation.accel.rotation = {0, 0.1, 0};  // about the trunk's up: the board's other axes see a part of a rate
+  const Eigen::RowVector3d turned = imu.of(trace, deviation).gyro_rad_s.row(3);
+  EXPECT_NEAR(turned.norm(), 1, 1e-12);
+  EXPECT_NEAR(turned[0], std::cos(0.1), 1e-9);
+}
+
+TEST(BodyFloor, ARobotLikeItsModelHasNoName) {
+  const FloorSelection answer = answerFor(shippedOnFloor());
+  EXPECT_EQ(openRows(answer.rows), 0);
+  EXPECT_THAT(answer.found, IsEmpty());
+}
+
+// Other cone of friction, softer contacts, finer steps: not the model's fault.
+TEST(BodyFloor, AnotherEngineHasNoName) {
+  FloorModel hidden = shippedOnFloor();
+  hidden.robot.engine = {.pyramidal_friction = true, .impedance = 2, .steps_per_cycle = 4, .drop_m = 0.0005};
+  hidden.robot.floor.contact_time_factor = 1.25;
+  EXPECT_THAT(answerFor(hidden).found, IsEmpty());
+}
+
+TEST(BodyFloor, AFloorThatSlopesIsNamedWithBothAngles) {
+  FloorModel hidden = shippedOnFloor();
+  hidden.robot.floor.tilt_rad = {0.03, -0.01};
+  const FloorSelection answer = answerFor(hidden);
+  ASSERT_THAT(answer.found, SizeIs(1));
+  const FoundFloor& found = answer.found.front();
+  EXPECT_EQ(found.placed.effect->id, "floor_tilt");
+  EXPECT_NEAR(found.placed.values[0], 0.03, 0.003);
+  EXPECT_NEAR(found.placed.values[1], -0.01, 0.003);
+  EXPECT_EQ(openRows(answer.rows_after), 0);
+  EXPECT_LT(answer.held_out_after.joints, 0.5 * answer.held_out_before.joints);
+  EXPECT_EQ(effectJson(found)["at"], "floor");
+  EXPECT_THAT(effectJson(found)["params"]["tilt"], SizeIs(2));
+}
+
+TEST(BodyFloor, ACentreOfMassOfTheTrunkIsNamedWithItsShift) {
+  FloorModel hidden = shippedOnFloor();
+  hidden.robot.floor.trunk_com_shift_m = {0, 0, -0.015};
+  const FloorSelection answer = answerFor(hidden);
+  ASSERT_THAT(answer.found, SizeIs(1));
+  EXPECT_EQ(answer.found.front().placed.effect->id, "link_com");
+  EXPECT_NEAR(answer.found.front().placed.values[2], -0.015, 0.003);
+}
+
+TEST(BodyFloor, AScaleOfTheGyroscopeIsNamedByMotionAlone) {
+  FloorModel hidden = shippedOnFloor();
+  hidden.imu.gyro.scale = {1, 1.15, 1};  // pitch: the hips lean
+  const FloorSelection answer = answerFor(hidden);
+  ASSERT_THAT(answer.found, SizeIs(1));
+  EXPECT_EQ(answer.found.front().placed.effect->id, "gyro_scale");
+  EXPECT_NEAR(answer.found.front().placed.values[1], 1.15, 0.03);
+}
+
+// Rad and rad/s, of example cases; the second of them is another engine's walk, whose contacts a friction imitates.
+TEST(BodyFloor, HeldOutLogsRefuteAnEffectThatOnlyImitatesAnother) {
+  EXPECT_TRUE(isVerified({7.56e-3, 0.166, 1.01}, {0.86e-3, 0.034, 0.22}, false));
+  EXPECT_FALSE(isVerified({6.57e-3, 0.083, 0.64}, {4.22e-3, 0.083, 0.73}, false));
+  EXPECT_TRUE(isVerified({0.7e-3, 0.083, 0.1}, {0.7e-3, 0.04, 0.1}, true));
+  EXPECT_FALSE(isVerified({0.7e-3, 0.3, 0.1}, {0.7e-3, 0.2, 0.1}, true));
+}
+
+/// The board's voltage falls by this resistance times the current of all servos, in steps of 0.1 V.
+BodyCase withBattery(double ohm) {
+  BodyCase given = movingRobot(shippedRobot());
+  const twin::ServoParameters& servo = given.joints.model.servo;
+  Rng rng{5};
+  for (std::size_t log = 0; log < given.logs.size(); ++log)
+    for (std::size_t row = 1; row + 1 < given.logs[log].rows(); ++row) {
+      double drawn_a = 0;
+      for (std::size_t joint = 0; joint < kJoints; ++joint) {
+        const Trajectory& of = given.joint(log, joint);
+        const double speed = (of.position_rad[row + 1] - of.position_rad[row - 1]) / 0.032;
+        drawn_a += of.load[row] * (of.load[row] * 11.8 - servo.back_emf_vs_rad * speed) / servo.resistance_ohm;
+      }
+      given.logs[log].board_v[row] = std::round(10 * (11.8 - ohm * drawn_a + 0.03 * rng.normal())) / 10;
+    }
+  return given;
+}
+
+TEST(BodyFloor, TheResistanceOfABatteryIsNamedByTheVoltageOfTheBoard) {
+  const std::optional<FoundBattery> found = identifyBattery(withBattery(0.5));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->resistance_ohm, 0.5, 0.05);
+  EXPECT_EQ(effectJson(*found)["id"], "battery_resistance");
+  EXPECT_FALSE(identifyBattery(withBattery(0)));
+  BodyCase low = withBattery(0);  // another battery than the case says
+  for (BodyLog& log : low.logs)
+    for (double& volt : log.board_v) volt -= 0.4;
+  EXPECT_FALSE(identifyBattery(low));
+}
+
+TEST(BodyFloor, WithoutSuchARecordingNothingIsLookedFor) {
+  BodyCase given = standingRobot(shippedOnFloor());
+  for (BodyLog& log : given.logs) log.held_out = true;
+  const FloorSelection answer = identifyFloor(given, shippedOnFloor(), {}, 0);
+  EXPECT_THAT(answer.rows, IsEmpty());
+  EXPECT_THAT(answer.found, IsEmpty());
+}
+
+TEST(BodyFloor, ARecordingOfTheRuntimeIsNotComparedOnTheFloor) {
+  BodyCase given = standingRobot(shippedOnFloor());
+  ASSERT_TRUE(canSimulateFloor(given));
+  for (Trajectory& joint : given.joints.logs) joint.read_s.assign(joint.rows(), 0.002);
+  EXPECT_FALSE(canSimulateFloor(given));
+}
+
+}  // namespace
+}  // namespace darwinop::gap
