@@ -1,0 +1,109 @@
+#include "gap/record/recording_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/conversions.hpp"
+#include "core/text/formatted.hpp"
+#include "core/text/nearest.hpp"
+#include "core/units.hpp"
+#include "gap/case/body/body_check.hpp"
+#include "gap/case/body/parse_body_case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kHeld = 1.0;                 // s before row 0, gap/plant/body/limb_roll_out.cpp
+constexpr double kWrongSide = kPi / 6;        // rad: a stand turned by hand is off by a few degrees
+constexpr double kSame = 0.75 * kRadPerTick;  // of a goal, beside rounding
+
+bool isHeld(std::size_t row, const experiments::Pose& pose, const std::vector<const logs::Column*>& goals) {
+  for (std::size_t joint = 0; joint < kJoints; ++joint)
+    if (!(std::abs(goals[joint]->values[row] - pose[joint]) < kSame)) return false;  // NaN: not driven
+  return true;
+}
+
+double medianOf(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return std::nan("");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Its goals differ by more than a position that counts as motion.
+bool isAskedToMove(const BodyCase& given, std::string_view joint) {
+  constexpr double kMotion = 0.02;  // rad
+  const std::vector<double>& goals = given.joint(0, index(findJoint(joint).value())).goal_rad;
+  const auto [low, high] = std::ranges::minmax(goals);
+  return high - low > kMotion;
+}
+
+/// Angle between the mean reading of the accelerometer and the model's, rad.
+double misplacedBy(const BodyCase& given, const RestingImu& imu) {
+  const std::vector<RestingReading> readings = restingReadings(given, ImuSensor::kAccelerometer, false);
+  if (readings.empty()) return std::nan("");
+  const Eigen::Vector3d expected = imu.reading(ImuSensor::kAccelerometer, readings.front().up),
+                        mean = readings.front().mean;
+  return std::acos(std::clamp(expected.dot(mean) / (expected.norm() * mean.norm()), -1.0, 1.0));
+}
+
+}  // namespace
+
+void findUsedRows(const logs::Log& recording, const experiments::Pose& pose, double phases_s, MadeRecording& made) {
+  std::vector<const logs::Column*> goals;
+  for (const JointRow& joint : kJointTable) goals.push_back(&recording.column(std::string{joint.name} + ".commanded"));
+  std::size_t from = 0, to = 0;
+  for (; from < recording.rows(); from = to + 1) {
+    for (to = from; to < recording.rows() && isHeld(to, pose, goals);) ++to;
+    if (to > from && recording.seconds(to - 1) - recording.seconds(from) >= kHeld) break;
+  }
+  if (from >= recording.rows())
+    throw BadInput(recording.file +
+                   ": the robot never held the setup pose for a second; is a controller limited by "
+                   "config.ini or robot.ini? Record it again");
+  const double held_until = recording.seconds(to - 1);
+  made.from_s = held_until;
+  for (std::size_t row = to; row-- > from;)
+    if (recording.seconds(row) - recording.seconds(from) >= kHeld) made.from_s = recording.seconds(row);
+  made.to_s = held_until + phases_s;
+  made.session_s += made.from_s;
+  std::vector<double> volts;
+  const logs::Column& board = recording.column("board.voltage");
+  for (std::size_t row = from; row < to; ++row) volts.push_back(board.values[row]);
+  made.battery_v = std::round(medianOf(volts) * 100) / 100;
+  if (std::isnan(made.battery_v))
+    throw BadInput(recording.file + ": the voltage of the board is missing; record it again");
+}
+
+std::vector<std::string> problemsOf(const logs::Log& recording, const std::string& model, const RestingImu& imu,
+                                    const MadeRecording& made) {
+  MadeRecording alone = made;
+  alone.plan.held_out = false, alone.plan.repeat_of.clear();
+  const CaseFiles files{.log = [&](const std::string&) { return recording; },
+                        .model = [](const std::string& name) { return twin::readModel(twin::findModel(name)); }};
+  const BodyCase given =
+      parseBodyCase(bodyCaseJson("recording", model, RecordedRobot::kSimulated, {alone}), made.plan.file, files);
+  const BodyLogCheck check = checkData(given).logs.front();
+  std::vector<std::string> out = given.warnings;
+  if (!recording.complete) out.emplace_back("the file was cut off; was the program ended by force?");
+  if (const std::size_t lost = given.logs.front().lost_rows + check.late_rows; lost > 0)
+    out.push_back(text::formatted("%zu cycles are missing; end other programs on this computer", lost));
+  std::vector<std::string_view> stuck = check.unmoved;
+  std::erase_if(stuck, [&](std::string_view joint) { return !isAskedToMove(given, joint); });
+  if (!stuck.empty())
+    out.push_back(text::listed(stuck) + " did not move; check cable and torque of " +
+                  (stuck.size() == 1 ? "that servo" : "these servos"));
+  if (check.fell_at_s) out.push_back(text::formatted("the robot fell at %.1f s; set it up again", *check.fell_at_s));
+  if (made.plan.up && check.greatest_rate_rad_s > kClampedRate)
+    out.push_back(text::formatted("the trunk turned by %.2f rad/s although it is clamped; tighten the stand",
+                                  check.greatest_rate_rad_s));
+  if (const double off = made.plan.up ? misplacedBy(given, imu) : 0; off > kWrongSide)
+    out.push_back(
+        text::formatted("gravity is off by %.0f degrees from where it was asked to be; is the robot placed as "
+                        "described? If it is, keep the recording: the sensor's axes may be what is wrong",
+                        off * 180 / kPi));
+  return out;
+}
+
+}  // namespace darwinop::gap
