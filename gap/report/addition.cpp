@@ -30,10 +30,10 @@ std::size_t parameterCalled(const twin::EffectInfo& info, const std::string& key
 }
 
 void checkRange(const twin::EffectInfo& info, const twin::Parameter& parameter, double value) {
-  if (std::isfinite(value) && value >= parameter.low && value <= parameter.high) return;
+  const twin::NumberRule rule = twin::ruleOf(parameter);
+  if (std::isfinite(value) && value >= rule.low && value <= rule.high) return;
   throw std::runtime_error(std::string{info.id} + "." + std::string{parameter.key} + " = " +
-                           withUnit(value, parameter.unit) + " is none that a servo has; give " +
-                           twin::allowed(twin::ruleOf(parameter)));
+                           withUnit(value, parameter.unit) + " is none that a servo has; give " + twin::allowed(rule));
 }
 
 std::string withEffectNumber(const std::string& text, const AddedNumber& number) {
@@ -101,13 +101,24 @@ Additions additionsFrom(const std::vector<std::string>& texts) {
 
 std::string withAdditions(std::string text, const Additions& additions) {
   for (const AddedNumber& number : additions.numbers)
-    text = number.key.find('.') == std::string::npos ? withServoNumber(text, number.key, number.value)
+    text = number.key.find('.') == std::string::npos ? withNumber(text, number.section, number.key, number.value)
                                                      : withEffectNumber(text, number);
   for (const AddedEffect& added : additions.effects) {
     std::vector<std::string> comments = added.because;
-    const twin::EffectSetting setting = settingOf(added, comments);
-    text = twin::withEffect(text, setting, wrapped(comments));
+    twin::EffectSetting setting = settingOf(added, comments);
+    // All joints have it, also those with a section of their own.
+    std::vector<std::optional<Joint>> places(added.joints.begin(), added.joints.end());
+    if (places.empty()) {
+      places.emplace_back();
+      for (const twin::EffectSetting& there : twin::parseModel(text, "the model").effects)
+        if (there.info == setting.info && there.joint) places.push_back(there.joint);
+    }
+    for (const std::optional<Joint>& joint : places) {
+      setting.joint = joint;
+      text = twin::withEffect(text, setting, wrapped(comments));
+    }
   }
+  for (const AddedAxes& axes : additions.imu) text = withImuNumbers(text, axes.key, axes.values);
   return text;
 }
 

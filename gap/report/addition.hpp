@@ -1,6 +1,7 @@
 // Additions to a model file: effects, changed numbers, and their evidence.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,16 +21,25 @@ struct AddedEffect {
   std::string id;
   std::vector<AddedValue> values;
   std::vector<std::string> because;  // comments above its section
+  std::vector<Joint> joints = {};    // of a robot; empty: all
 };
 
-/// A number of the model that a fit has moved inside its prior.
+/// Another number of the model: one that a fit has moved inside its prior, or that was found to be wrong.
 struct AddedNumber {
-  std::string key;  // "kt" of [servo], "viscous.damping" of an effect that the model has
+  std::string key;  // "kt" of the section, "viscous.damping" of an effect that the model has
   double value = 0;
+  std::string section = "servo";
+};
+
+/// A key of [imu] with a number for x, y and z.
+struct AddedAxes {
+  std::string key;
+  std::array<double, 3> values{};
 };
 
 struct Additions {
   std::vector<AddedNumber> numbers;
+  std::vector<AddedAxes> imu = {};
   std::vector<AddedEffect> effects;
 };
 

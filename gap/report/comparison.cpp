@@ -71,6 +71,27 @@ Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis
   return squares;
 }
 
+/// Without simulated noise, which would take longer than all the rest.
+Gap compareOthers(const Case& given, const Hypothesis& before, const Hypothesis& after) {
+  Case view = given;
+  view.logs = std::move(view.others);
+  std::vector<Squares> squares(view.logs.size());
+  forEach(view.logs.size(), [&](std::size_t i) {
+    const auto squareWith = [&](const Hypothesis& hypothesis) {
+      Trace trace;
+      plantOf(view).rollOut(view, i, hypothesis, {}, trace);
+      return squareOf(view.logs[i].position_rad, trace[kPositionSignal]);
+    };
+    squares[i] = {.before = squareWith(before),
+                  .after = squareWith(after),
+                  .floor = std::numeric_limits<double>::quiet_NaN(),
+                  .rows = knownRows(view.logs[i])};
+  });
+  Squares all;
+  for (const Squares& one : squares) all.add(one);
+  return all.rms();
+}
+
 }  // namespace
 
 Gap::Gap() : before_rad{std::numeric_limits<double>::quiet_NaN()}, after_rad{before_rad}, floor_rad{before_rad} {}
@@ -95,6 +116,8 @@ Comparison compare(const Case& given, const Hypothesis& before, const Hypothesis
   }
   out.held_out = held_out.rms();
   out.fit = fit.rms();
+  out.others = compareOthers(given, before, after);
+  out.other_logs = given.others.size();
   return out;
 }
 

@@ -28,8 +28,10 @@ struct LogComparison {
 
 struct Comparison {
   std::vector<LogComparison> logs;  // all of the case
-  Gap held_out, fit;                // over all rows of the held-out logs, and of the fitted ones
-  std::size_t held_out_logs = 0, fit_logs = 0;
+  // Over all rows of the held-out logs, of the fitted ones, and of those that are neither, whose noise is not
+  // simulated.
+  Gap held_out, fit, others;
+  std::size_t held_out_logs = 0, fit_logs = 0, other_logs = 0;
   [[nodiscard]] bool anyBelowFloor(const Case& given, bool of_held_out) const;
 };
 

@@ -19,6 +19,7 @@ constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 std::vector<std::string> filesOf(const Case& given) {
   std::vector<std::string> files{"case.json"};
   for (const Trajectory& log : given.logs) files.push_back(log.file);
+  for (const Trajectory& log : given.others) files.push_back(log.file);
   return files;
 }
 

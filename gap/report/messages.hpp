@@ -21,6 +21,7 @@ inline constexpr const char* kSmallShareInFull =
 // The sentence of a verdict.
 inline constexpr const char* kOnlyNoise = "The model explains these logs: what is left is noise.";
 inline constexpr const char* kNotIdentified = "something that these logs do not identify: ";
+inline constexpr const char* kPerhaps = ", and these logs do not decide whether also ";
 inline constexpr const char* kOutsideCatalogue = " known effects explains";
 inline constexpr const char* kTooLittle =
     "These logs differ from the model, but by too little, or in too few ways, to say why.";
@@ -32,6 +33,7 @@ inline constexpr const char* kTried = "The best effects that were tried, not nam
 inline constexpr const char* kUnchanged = "is within noise of what it was, ";
 inline constexpr const char* kNotIdentifiable = "not identifiable from these data";
 inline constexpr const char* kHeldOutLogs = "held-out logs";
+inline constexpr const char* kOtherLogs = "other logs of the folder";
 inline constexpr const char* kNoHeldOutLog = "No log of this case is held out.";
 inline constexpr const char* kWorse = "do not use the changed model";
 inline constexpr const char* kBelowFloorFlag = "below the floor";

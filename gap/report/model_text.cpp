@@ -16,11 +16,14 @@ std::string fourDigits(double value) {
   return text::generalText(value, 4);
 }
 
-const twin::KeyRow& servoRow(const std::string& key) {
+/// A key of this section whose value is a `Value`.
+template <class Value>
+const twin::KeyRow& rowOf(std::string_view section, const std::string& key) {
   twin::Model some;
-  const twin::KeyRow* const row = twin::findKey("servo", key);
-  if (row == nullptr || !std::holds_alternative<double*>(row->in(some)))
-    throw std::runtime_error("[servo] has no number '" + key + "'; " + text::suggestion(key, twin::keysOf("servo")));
+  const twin::KeyRow* const row = twin::findKey(section, key);
+  if (row == nullptr || !std::holds_alternative<Value*>(row->in(some)))
+    throw std::runtime_error("[" + std::string{section} + "] has no number '" + key + "'; " +
+                             text::suggestion(key, twin::keysOf(section)));
   return *row;
 }
 
@@ -37,34 +40,44 @@ std::string_view keyIn(std::string_view line) {
                                                                             : trimmed(line.substr(0, equals));
 }
 
-}  // namespace
-
-std::string withServoNumber(std::string_view text, const std::string& key, double value) {
-  const twin::KeyRow& row = servoRow(key);
+/// `text` with another value for a key of the model.
+template <class Value>
+std::string withValue(std::string_view text, const twin::KeyRow& row, const Value& value) {
+  const std::string header = "[" + std::string{row.section} + "]";
   twin::Model changed = twin::parseModel(text, "the model");
   const std::string was = twin::writeValue(changed, row);
-  *std::get<double*>(row.in(changed)) = value;
+  *std::get<Value*>(row.in(changed)) = value;
   const std::string now = std::string{row.key} + " = " + twin::writeValue(changed, row) + "  ; was " + was;
   std::string out;
   std::size_t below = std::string::npos;  // in `out`: behind the last line of the section that says something
-  bool in_servo = false, done = false;
+  bool in_section = false, done = false;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = text.substr(at, end - at);
-    const bool header = trimmed(line).starts_with('[');
-    if (header) in_servo = trimmed(line).starts_with("[servo]");
-    const bool here = in_servo && !done && keyIn(line) == row.key;
+    const bool is_header = trimmed(line).starts_with('[');
+    if (is_header) in_section = trimmed(line).starts_with(header);
+    const bool here = in_section && !done && keyIn(line) == row.key;
     out += (here ? now : std::string{line}) + "\n";
     done = done || here;
-    if (in_servo && (header || !keyIn(line).empty())) below = out.size();
+    if (in_section && (is_header || !keyIn(line).empty())) below = out.size();
     at = end + 1;
   }
   if (!done && below == std::string::npos)
-    out += "\n[servo]\n" + now + "\n";
+    out += "\n" + header + "\n" + now + "\n";
   else if (!done)
     out.insert(below, now + "\n");
   twin::parseModel(out, "the model");  // a value out of its range is refused here
   return out;
+}
+
+}  // namespace
+
+std::string withNumber(std::string_view text, std::string_view section, const std::string& key, double value) {
+  return withValue(text, rowOf<double>(section, key), value);
+}
+
+std::string withImuNumbers(std::string_view text, const std::string& key, const std::array<double, 3>& values) {
+  return withValue(text, rowOf<std::array<double, 3>>("imu", key), values);
 }
 
 std::vector<MovedNumber> movedNumbers(const twin::ServoParameters& before, const twin::ServoParameters& after) {

@@ -1,6 +1,7 @@
 // The text of a model file: one number changed, and the words of its comments.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,9 +10,12 @@
 
 namespace darwinop::gap {
 
-/// `text` with another number for `key` of [servo], and what it was behind it as a comment. No other line changes.
+/// `text` with another number for `key` of [section], and what it was behind it as a comment. No other line changes.
 /// Throws std::runtime_error for what is no such number, or out of its range.
-std::string withServoNumber(std::string_view text, const std::string& key, double value);
+std::string withNumber(std::string_view text, std::string_view section, const std::string& key, double value);
+
+/// The same with the numbers of x, y and z of a key of [imu].
+std::string withImuNumbers(std::string_view text, const std::string& key, const std::array<double, 3>& values);
 
 /// A number of [servo] of two models that is not the same in both.
 struct MovedNumber {

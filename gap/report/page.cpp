@@ -27,7 +27,7 @@ std::string asHtml(const Report& report) {
       {"@TITLE@", html::text("darwinop gap: " + report.given->name)},
       {"@STYLE@", std::string{page_parts::kLibraryStyle} + std::string{page_parts::kStyle}},
       {"@FINDINGS@", body},
-      {"@DETAILS@", logsSection(report) + modelSection(report) + againSection(report)},
+      {"@DETAILS@", logsSection(report) + modelSection(report.model_before, report.model_after) + againSection(report)},
       {"@LIBRARY_NOTE@", libraryNote()},
       {"@CURVES@", curvesAsJson(report)},
       {"@LIBRARY@", std::string{page_parts::kLibrary}},

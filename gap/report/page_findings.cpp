@@ -60,10 +60,13 @@ std::string rivalsText(const Identification& identification) {
                        text::fixedText(thresholds::kLargerRivalEvidence, 0) + ", if they have more free parameters.");
 }
 
-/// How to distinguish the effect from its rivals.
+/// How to distinguish the effects from each other.
 std::string experimentText(const Identification& identification) {
-  if (identification.verdict != Verdict::kAmbiguous || identification.effects.empty()) return "";
-  return "<h3>Experiment that would decide</h3>" + element("p", identification.effects.back().effect->separated_by);
+  if (identification.verdict != Verdict::kAmbiguous) return "";
+  std::string text;
+  for (const twin::EffectInfo* const effect : undecidedEffects(identification))
+    text += element("p", std::string{effect->title} + ": " + std::string{effect->separated_by});
+  return text.empty() ? "" : "<h3>Experiment that would decide</h3>" + text;
 }
 
 std::string conflictsText(const Identification& identification) {

@@ -53,12 +53,10 @@ std::string gapCells(const Gap& gap, bool below_floor) {
          cell(html::number(rounded2(gap.floorsBefore()), floors(gap.floorsBefore()))) + cell(after_floors);
 }
 
-std::string titleRow(const Comparison& comparison, bool held_out) {
-  const std::size_t count = held_out ? comparison.held_out_logs : comparison.fit_logs;
+std::string titleRow(std::size_t count, const char* role, const Gap& gap) {
   if (count == 0) return "";
   return "<tr class=\"all\"><th scope=\"row\">" + std::to_string(count) + (count == 1 ? " log" : " logs") +
-         "</th><td>" + (held_out ? "held out" : "fitted") + "</td>" +
-         gapCells(held_out ? comparison.held_out : comparison.fit, false) + "</tr>\n";
+         "</th><td>" + role + "</td>" + gapCells(gap, false) + "</tr>\n";
 }
 
 std::string maskedText(const Case& given) {
@@ -111,7 +109,8 @@ std::string logsSection(const Report& report) {
   const Comparison& all = report.comparison;
   std::string rows;
   for (const bool held_out : {true, false}) {
-    rows += titleRow(all, held_out);
+    rows +=
+        held_out ? titleRow(all.held_out_logs, "held out", all.held_out) : titleRow(all.fit_logs, "fitted", all.fit);
     for (const LogComparison& one : all.logs) {
       const Trajectory& log = report.given->logs[one.log];
       if (log.held_out != held_out) continue;
@@ -120,6 +119,7 @@ std::string logsSection(const Report& report) {
               (held_out ? "held out" : "fitted") + "</td>" + gapCells(one.gap, one.below_floor) + "</tr>\n";
     }
   }
+  rows += titleRow(all.other_logs, "other", all.others);
   std::string inside =
       "<div class=\"wide\"><table id=\"logs\"><thead><tr><th>log</th><th>role</th><th>before, mrad</th>"
       "<th>after, mrad</th><th>noise, mrad</th><th>before, floors</th><th>after, floors</th></tr>"
@@ -134,9 +134,9 @@ std::string logsSection(const Report& report) {
   return section("log-by-log", "Log by log", inside + maskedText(*report.given));
 }
 
-std::string modelSection(const Report& report) {
+std::string modelSection(const std::string& model_before, const std::string& model_after) {
   std::string lines;
-  for (const DiffLine& line : lineDiff(report.model_before, report.model_after)) {
+  for (const DiffLine& line : lineDiff(model_before, model_after)) {
     const std::string text = html::text(line.text);
     if (line.kind == '+')
       lines += "<ins>+ " + text + "</ins>\n";

@@ -12,7 +12,7 @@ std::string headlineSection(const Report& report);
 std::string whatSection(const Report& report);
 std::string whereSection(const Report& report);
 std::string logsSection(const Report& report);
-std::string modelSection(const Report& report);
+std::string modelSection(const std::string& model_before, const std::string& model_after);
 std::string againSection(const Report& report);
 
 /// Of the curves, in JSON: numbers are whole multiples of the units that stand beside them.

@@ -1,31 +1,13 @@
 #include "gap/report/report.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "core/json/json_text.hpp"
 #include "gap/report/data_hash.hpp"
+#include "gap/report/report_folder.hpp"
 
 namespace darwinop::gap {
-namespace {
-
-namespace fs = std::filesystem;
-
-void writeInto(const fs::path& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text;
-  file.close();
-  if (!file)
-    throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno) +
-                             "; give another folder with --report");
-}
-
-}  // namespace
 
 Report reportOf(const Case& given, const Outcome& outcome, const std::string& model) {
   Report report;
@@ -64,14 +46,10 @@ Case withModel(Case given, const twin::Model& model) {
 }
 
 void writeReport(const Report& report, const std::string& folder) {
-  std::error_code wrong;
-  fs::create_directories(folder, wrong);
-  if (wrong)
-    throw std::runtime_error("cannot create " + folder + ": " + wrong.message() +
-                             "; give another folder with --report");
-  writeInto(fs::path{folder} / "report.html", asHtml(report));
-  writeInto(fs::path{folder} / "report.json", jsonText(asJson(report), 1) + "\n");
-  if (report.outcome != nullptr) writeInto(fs::path{folder} / "repaired.ini", report.model_after);
+  std::vector<std::pair<std::string, std::string>> files{{"report.html", asHtml(report)},
+                                                         {"report.json", jsonText(asJson(report), 1) + "\n"}};
+  if (report.outcome != nullptr) files.emplace_back("repaired.ini", report.model_after);
+  writeReportFolder(folder, files);
 }
 
 }  // namespace darwinop::gap

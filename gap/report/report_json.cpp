@@ -70,6 +70,7 @@ json asJson(const Report& report) {
                  : searchAsJson(report);
   all["held_out"] = gapAsJson(report.comparison.held_out);
   all["fit"] = gapAsJson(report.comparison.fit);
+  if (report.comparison.other_logs > 0) all["others"] = gapAsJson(report.comparison.others);
   all["logs"] = logsAsJson(report);
   all["model_changes"] = diffAsJson(report);
   all["commands"] = report.commands;

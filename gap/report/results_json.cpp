@@ -95,9 +95,8 @@ json asJson(const Case& given, const Outcome& outcome) {
   for (const IdentifiedEffect& tried : identification.withdrawn) candidates.push_back(parametersOf(additions, tried));
   if (identification.verdict == Verdict::kAmbiguous) {
     json set = json::array();
-    if (!identification.effects.empty()) set.push_back(identification.effects.back().effect->id);
-    for (const Rival& rival : identification.rivals)
-      if (rival.isClose() && !rival.effects.empty() && set.size() < 3) set.push_back(rival.effects.back());
+    for (const twin::EffectInfo* const effect : undecidedEffects(identification))
+      if (set.size() < 3) set.push_back(effect->id);
     ambiguity.push_back(set);
   }
   json conflicts = json::array();
@@ -125,6 +124,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"threshold", std::isfinite(identification.threshold) ? json(identification.threshold) : json(nullptr)},
           {"gap_fit_before_mrad", mradOrNull(identification.gap_before_rad)},
           {"gap_fit_after_mrad", mradOrNull(identification.gap_after_rad)},
+          {"repeats_mrad", mradOrNull(outcome.localization.floor.repeats_rad)},
           {"floor_fit_mrad", mradOrNull(identification.floor_rad)},
           {"gap_score_before_mrad", mradOrNull(outcome.verification.rms_before_rad)},
           {"gap_score_after_mrad", mradOrNull(outcome.verification.rms_after_rad)},

@@ -41,6 +41,15 @@ std::string inLines(std::string text) {
   return out + text + "\n";
 }
 
+/// What would decide between the effects of `ambiguous`: of the first, the page has all.
+std::string experimentLines(const Identification& identification) {
+  if (identification.verdict != Verdict::kAmbiguous) return "";
+  const std::vector<const twin::EffectInfo*> undecided = undecidedEffects(identification);
+  if (undecided.empty()) return "";
+  return inLines("decides   " + std::string{undecided.front()->id} + ": " +
+                 std::string{undecided.front()->separated_by});
+}
+
 std::string whereText(const Localization& where) {
   std::string text;
   const std::string block = where.blocks.first ? "; loop: the " + std::string{name(*where.blocks.first)} : "";
@@ -72,13 +81,23 @@ std::string whatText(const Identification& identification) {
   return text;
 }
 
+/// "coulomb + backlash instead", or "backlash as well" of one that has all that was found.
+std::string asAlternative(const Rival& rival, const Identification& identification) {
+  std::vector<std::string> more = rival.effects;
+  for (const IdentifiedEffect& found : identification.effects) std::erase(more, found.effect->id);
+  const bool adds = !more.empty() && more.size() + identification.effects.size() == rival.effects.size();
+  return adds ? text::joined(more, " + ") + " as well" : text::joined(rival.effects, " + ") + " instead";
+}
+
 std::string rivalText(const Identification& identification) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(kRivalsShown, identification.rivals.size()); ++i)
-    text += line("%-9s %s instead: worse by %.0f%s", i == 0 ? "rivals" : "",
-                 text::joined(identification.rivals[i].effects, " + ").c_str(), identification.rivals[i].behind,
-                 identification.rivals[i].isClose() ? ", not excluded" : "");
-  for (std::size_t i = 0; i < std::min(kConflictsShown, identification.prior_conflicts.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kRivalsShown, identification.rivals.size()); ++i) {
+    const Rival& rival = identification.rivals[i];
+    text += line("%-9s %s: worse by %.0f%s", i == 0 ? "rivals" : "", asAlternative(rival, identification).c_str(),
+                 rival.behind, rival.isClose() ? ", not excluded" : "");
+  }
+  const std::size_t conflicts = identification.verdict == Verdict::kAmbiguous ? 1 : kConflictsShown;
+  for (std::size_t i = 0; i < std::min(conflicts, identification.prior_conflicts.size()); ++i) {
     const PriorConflict& one = identification.prior_conflicts[i];
     text += line("%-9s %s has to be %.3f times what was given: %.1f sigma", i == 0 ? "conflict" : "",
                  one.number.c_str(), one.factor, std::abs(one.sigmas));
@@ -90,10 +109,11 @@ std::string rivalText(const Identification& identification) {
 }
 
 std::string rowText(const std::string& what, const Gap& gap, bool below_floor) {
-  return line("  %-30s %10s %10s %10s %12s%s", what.c_str(), inMrad(gap.before_rad).c_str(),
-              inMrad(gap.after_rad).c_str(), inMrad(gap.floor_rad).c_str(),
-              std::isfinite(gap.after_rad) ? (std::to_string(gap.floorsAfter()).substr(0, 5) + " floors").c_str() : "-",
-              below_floor ? ("  " + std::string{messages::kBelowFloorFlag} + "!").c_str() : "");
+  return line(
+      "  %-30s %10s %10s %10s %12s%s", what.c_str(), inMrad(gap.before_rad).c_str(), inMrad(gap.after_rad).c_str(),
+      inMrad(gap.floor_rad).c_str(),
+      std::isfinite(gap.floorsAfter()) ? (std::to_string(gap.floorsAfter()).substr(0, 5) + " floors").c_str() : "-",
+      below_floor ? ("  " + std::string{messages::kBelowFloorFlag} + "!").c_str() : "");
 }
 
 std::string tableText(const Case& given, const Comparison& comparison) {
@@ -101,7 +121,11 @@ std::string tableText(const Case& given, const Comparison& comparison) {
          rowText(std::string{messages::kHeldOutLogs} + " (" + std::to_string(comparison.held_out_logs) + ")",
                  comparison.held_out, comparison.anyBelowFloor(given, true)) +
          rowText("logs of the fit (" + std::to_string(comparison.fit_logs) + ")", comparison.fit,
-                 comparison.anyBelowFloor(given, false));
+                 comparison.anyBelowFloor(given, false)) +
+         (comparison.other_logs == 0
+              ? ""
+              : rowText(std::string{messages::kOtherLogs} + " (" + std::to_string(comparison.other_logs) + ")",
+                        comparison.others, false));
 }
 
 }  // namespace
@@ -119,12 +143,16 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
   for (const std::string& sentence : {intervalSentence(identification), triedSentence(identification)})
     if (!sentence.empty()) text += inLines(sentence);
   for (const Contradiction& found : contradictionsOf(given)) text += inLines(asSentence(found));
-  text += "\n" + whereText(outcome.localization) + whatText(identification) + rivalText(identification);
+  text += "\n" + whereText(outcome.localization) + whatText(identification) + rivalText(identification) +
+          experimentLines(identification);
   text += "\n" + tableText(given, comparison);
+  text += "\n";
+  if (const double repeats_rad = outcome.localization.floor.repeats_rad; repeats_rad >= 0)
+    text += "repeats differ by " + inMrad(repeats_rad) + " mrad; ";
   std::string chance;
   if (std::isfinite(identification.threshold))
     chance = "chance gain " + std::to_string(std::lround(identification.threshold)) + " (1 %); ";
-  return text + line("\n%smisfit %.1f sigma (a gap: %.0f); %.0f s", chance.c_str(), identification.misfit,
+  return text + line("%smisfit %.1f sigma (a gap: %.0f); %.0f s", chance.c_str(), identification.misfit,
                      thresholds::kMisfitSigmas, outcome.runtime_s);
 }
 

@@ -60,6 +60,23 @@ std::string namedByRivals(const Identification& identification) {
   return text::joined(titles, ", or ");
 }
 
+/// Every close rival has all of the effects that were found, and one more.
+bool onlyAdditionsAreOpen(const Identification& identification) {
+  const std::vector<Rival> close = closeRivals(identification);
+  return !close.empty() && std::ranges::all_of(close, [&](const Rival& rival) {
+    return std::ranges::all_of(identification.effects, [&](const IdentifiedEffect& found) {
+      return std::ranges::find(rival.effects, found.effect->id) != rival.effects.end();
+    });
+  });
+}
+
+/// "The model lacks dry friction and perhaps torque limit or friction quadratic in the load".
+std::string withOpenAdditions(const Identification& identification) {
+  std::vector<std::string> titles;
+  for (const twin::EffectInfo* const effect : undecidedEffects(identification)) titles.emplace_back(effect->title);
+  return "The model lacks " + titlesOf(identification.effects) + messages::kPerhaps + text::joined(titles, " or ");
+}
+
 std::string firstSentence(const Outcome& outcome) {
   const Identification& identification = outcome.identification;
   const std::string end = identification.remains ? messages::kRemainder : ".";
@@ -72,6 +89,7 @@ std::string firstSentence(const Outcome& outcome) {
                firstNumber(identification) + end;
       return "The model lacks " + titlesOf(identification.effects) + firstNumber(identification) + end;
     case Verdict::kAmbiguous:
+      if (onlyAdditionsAreOpen(identification)) return withOpenAdditions(identification) + end;
       return std::string{"The model lacks "} + messages::kNotIdentified + namedByRivals(identification) + end;
     case Verdict::kUnknown:
       return "The model lacks something that none of the " + std::to_string(twin::catalogue().size()) +
@@ -101,6 +119,25 @@ std::vector<Rival> closeRivals(const Identification& identification) {
   for (const Rival& rival : identification.rivals)
     if (rival.isClose() && !rival.effects.empty()) close.push_back(rival);
   return close;
+}
+
+std::vector<const twin::EffectInfo*> undecidedEffects(const Identification& identification) {
+  std::vector<const twin::EffectInfo*> undecided;
+  const auto add = [&](const twin::EffectInfo* effect) {
+    if (effect != nullptr && std::ranges::find(undecided, effect) == undecided.end()) undecided.push_back(effect);
+  };
+  const std::vector<Rival> close = closeRivals(identification);
+  for (const IdentifiedEffect& found : identification.effects)
+    if (std::ranges::any_of(close, [&](const Rival& rival) {
+          return std::ranges::find(rival.effects, found.effect->id) == rival.effects.end();
+        }))
+      add(found.effect);
+  for (const Rival& rival : close)
+    for (const std::string& id : rival.effects)
+      if (std::ranges::find(identification.effects, id, [](const auto& one) { return one.effect->id; }) ==
+          identification.effects.end())
+        add(twin::findEffect(id));
+  return undecided;
 }
 
 std::string shortRejection(const RejectedEffect& rejected) {

@@ -24,6 +24,8 @@ std::string triedSentence(const Identification& identification);
 
 /// Rivals that the data do not exclude.
 std::vector<Rival> closeRivals(const Identification& identification);
+/// Of `ambiguous`: the effects in which the close rivals differ from what was found, that of the model first.
+std::vector<const twin::EffectInfo*> undecidedEffects(const Identification& identification);
 
 /// "31.0", "0.931": three digits of a position error, mrad.
 std::string inMrad(double rad);

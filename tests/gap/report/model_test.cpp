@@ -78,16 +78,16 @@ TEST(RepairedModel, NamesRivalsThatTheDataDoNotExclude) {
 }
 
 TEST(ServoNumber, ChangesItsLineAndNoOther) {
-  const std::string text = withServoNumber(kModel, "kt", 1.75);
+  const std::string text = withNumber(kModel, "servo", "kt", 1.75);
   EXPECT_THAT(text, HasSubstr("\nkt = 1.75 N m/A  ; was 1.8 N m/A\nresistance = 8 ohm\n"));
   EXPECT_THAT(text, HasSubstr("; my servo\n"));
-  EXPECT_THAT(withServoNumber(kModel, "armature", 0.004), HasSubstr("resistance = 8 ohm\narmature = 0.004 kg m2"));
-  EXPECT_THAT(withServoNumber("[model]\nname = mine", "kt", 1.75), HasSubstr("\n[servo]\nkt = 1.75 N m/A"));
+  EXPECT_THAT(withNumber(kModel, "servo", "armature", 0.004), HasSubstr("resistance = 8 ohm\narmature = 0.004 kg m2"));
+  EXPECT_THAT(withNumber("[model]\nname = mine", "servo", "kt", 1.75), HasSubstr("\n[servo]\nkt = 1.75 N m/A"));
 }
 
 TEST(ServoNumber, OfAnUnknownNameIsRefused) {
-  EXPECT_THAT(sentenceOf([] { withServoNumber(kModel, "ktt", 1.75); }), HasSubstr("did you mean kt?"));
-  EXPECT_THAT(sentenceOf([] { withServoNumber(kModel, "kt", -1); }), HasSubstr("kt"));
+  EXPECT_THAT(sentenceOf([] { withNumber(kModel, "servo", "ktt", 1.75); }), HasSubstr("did you mean kt?"));
+  EXPECT_THAT(sentenceOf([] { withNumber(kModel, "servo", "kt", -1); }), HasSubstr("kt"));
 }
 
 TEST(AddByHand, PutsEffectsIntoTheFileAndLeavesItsComments) {
@@ -114,8 +114,8 @@ INSTANTIATE_TEST_SUITE_P(All, AddNonsense,
                          testing::Values(Refused{"coulomb", "write ID.PARAMETER=VALUE"},
                                          Refused{"coulmb.friction=0.05", text::suggestion("coulmb", twin::effectIds())},
                                          Refused{"coulomb.fricton=0.05", "did you mean friction?"},
-                                         Refused{"coulomb.friction=5", "give 0 to 0.3 N m"},
-                                         Refused{"coulomb.friction=nan", "give 0 to 0.3 N m"},
+                                         Refused{"coulomb.friction=5", "give 0 to 3 N m"},
+                                         Refused{"coulomb.friction=nan", "give 0 to 3 N m"},
                                          Refused{"coulomb.friction=0.05 N m", messages::kUnitNotAllowed},
                                          Refused{"coulomb.friction=", messages::kUnitNotAllowed}));
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gap/report/data_hash.hpp"
+#include "gap/report/html.hpp"
 #include "gap/report/report_rig.hpp"
 
 namespace darwinop::gap {
@@ -79,6 +80,27 @@ TEST(Summary, SaysWhatARemainderDoesToTheIntervals) {
   identification.verdict = Verdict::kAmbiguous;
   identification.rivals.front().behind = 1;
   EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(messages::kRemainder)) << "beside an ambiguous set as well";
+}
+
+TEST(Summary, NamesTheExperimentForEachEffectThatIsUndecided) {
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  identification.verdict = Verdict::kAmbiguous;
+  identification.rivals = {{{"coulomb", "torque_limit"}, 0}, {{"coulomb", "backlash"}, 3}, {{"deadband"}, 45}};
+  const auto separation = [](const char* id) { return std::string{twin::findEffect(id)->separated_by}; };
+  std::string text = inOneLine(asText(rig.report));
+  EXPECT_THAT(text, HasSubstr(messages::kPerhaps + std::string{twin::findEffect("torque_limit")->title}));
+  EXPECT_THAT(text, HasSubstr(separation("torque_limit")));
+  EXPECT_THAT(text, HasSubstr("torque_limit as well"));
+  for (const char* const id : {"torque_limit", "backlash"})
+    EXPECT_THAT(asHtml(rig.report), HasSubstr(html::text(separation(id))));
+  EXPECT_THAT(text, Not(HasSubstr(separation("coulomb")))) << "it is in every set";
+  EXPECT_THAT(text, Not(HasSubstr(separation("deadband")))) << "it is excluded";
+  EXPECT_EQ(asJson(rig.given, rig.outcome)["ambiguity"][0], nlohmann::json({"torque_limit", "backlash"}));
+  identification.rivals = {{{"deadband"}, 2}};
+  text = inOneLine(asText(rig.report));
+  EXPECT_THAT(text, HasSubstr(messages::kNotIdentified));
+  EXPECT_EQ(asJson(rig.given, rig.outcome)["ambiguity"][0], nlohmann::json({"coulomb", "deadband"}));
 }
 
 TEST(Summary, ListsWhatWasTriedThoughNothingIsNamed) {
@@ -178,6 +200,22 @@ TEST(Compare, ARightModelIsAtTheFloorAndAWrongOneAbove) {
   EXPECT_GT(found.held_out.floorsBefore(), 3);
   EXPECT_NEAR(found.held_out.floorsAfter(), 1, 0.5);
   EXPECT_FALSE(found.anyBelowFloor(bench, true)) << found.logs[1].noise_share;
+}
+
+TEST(Compare, LogsOutsideOfTheSearchShowTheErrorToo) {
+  const Case bench = twoLogs();
+  const Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.06);
+  Case given = measured(bench, truth, 3);
+  const Comparison all = compare(given, baselineOf(bench), truth);
+  given.others.push_back(given.logs.back());
+  given.logs.pop_back();
+  const Comparison found = compare(given, baselineOf(bench), truth);
+  EXPECT_EQ(found.other_logs, 1U);
+  EXPECT_EQ(found.held_out_logs, 0U);
+  EXPECT_DOUBLE_EQ(found.others.before_rad, all.held_out.before_rad);
+  EXPECT_DOUBLE_EQ(found.others.after_rad, all.held_out.after_rad);
+  EXPECT_THAT(asText(given, found), AllOf(HasSubstr(messages::kOtherLogs), Not(HasSubstr("nan"))));
+  EXPECT_THAT(asText(bench, all), Not(HasSubstr(messages::kOtherLogs)));
 }
 
 TEST(Compare, DataWithoutNoiseAreBelowTheFloor) {

@@ -1,0 +1,23 @@
+// What was found in a whole robot, as changes of its model file.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gap/report/addition.hpp"
+#include "twin/model/model.hpp"
+
+namespace darwinop::gap {
+
+struct BodyAdditions {
+  Additions additions;
+  std::vector<std::string> left_out;  // sentences: what was found and a model file cannot have
+};
+
+/// From what `run` wrote of the case `name`: report.json, or results.json of a benchmark. `model`: that they go into.
+/// Throws std::runtime_error, a sentence, for a result that names nothing.
+BodyAdditions bodyAdditionsIn(std::string_view results, const std::string& file, const std::string& name,
+                              const twin::Model& model);
+
+}  // namespace darwinop::gap

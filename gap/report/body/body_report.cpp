@@ -1,0 +1,29 @@
+#include "gap/report/body/body_report.hpp"
+
+#include "core/json/json_text.hpp"
+#include "gap/report/body/body_additions.hpp"
+#include "gap/report/report_folder.hpp"
+
+namespace darwinop::gap {
+
+BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, const std::string& model) {
+  BodyReport report;
+  report.given = &given;
+  report.found = &found;
+  report.answer = asJson(given, found);
+  report.model_before = report.model_after = model;
+  if (report.answer["effects"].empty()) return report;
+  const BodyAdditions added =
+      bodyAdditionsIn(report.answer.dump(), "the result", given.name, twin::parseModel(model, "the model"));
+  report.model_after = withAdditions(model, added.additions);
+  report.left_out = added.left_out;
+  return report;
+}
+
+void writeReport(const BodyReport& report, const std::string& folder) {
+  writeReportFolder(folder, {{"report.html", asHtml(report)},
+                             {"report.json", jsonText(report.answer, 1) + "\n"},
+                             {"repaired.ini", report.model_after}});
+}
+
+}  // namespace darwinop::gap

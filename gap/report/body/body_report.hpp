@@ -1,0 +1,30 @@
+// Report of a whole robot: HTML page, report.json, repaired.ini.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "gap/identify/body/body_identification.hpp"
+
+namespace darwinop::gap {
+
+struct BodyReport {
+  const BodyCase* given = nullptr;
+  const BodyIdentification* found = nullptr;
+  nlohmann::ordered_json answer;  // as `run --json` has it
+  std::string model_before, model_after;
+  std::vector<std::string> left_out;  // of the model: sentences
+  std::vector<std::string> commands;  // that make this report again
+};
+
+/// Both have to outlive it. `model`: the file that the case's model is from, whose comments stay.
+BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, const std::string& model);
+
+/// One file that needs no other and no network.
+std::string asHtml(const BodyReport& report);
+
+/// Makes `folder`. Throws std::runtime_error with a sentence when a file cannot be written.
+void writeReport(const BodyReport& report, const std::string& folder);
+
+}  // namespace darwinop::gap

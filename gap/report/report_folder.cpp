@@ -1,0 +1,26 @@
+#include "gap/report/report_folder.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace darwinop::gap {
+
+void writeReportFolder(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& files) {
+  constexpr const char* kRemedy = "; give another folder with --report";
+  std::error_code wrong;
+  std::filesystem::create_directories(folder, wrong);
+  if (wrong) throw std::runtime_error("cannot create " + folder + ": " + wrong.message() + kRemedy);
+  for (const auto& [name, text] : files) {
+    const std::filesystem::path path = std::filesystem::path{folder} / name;
+    std::ofstream file{path, std::ios::binary};
+    file << text;
+    file.close();
+    if (!file) throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno) + kRemedy);
+  }
+}
+
+}  // namespace darwinop::gap
