@@ -53,6 +53,7 @@ track() {
       s/\bconst (?:double|int) (\w+ =[^;,]*thresholds::)/const auto $1/g;
       s/(\bconst double \w+ = [^;,]*), (\w+ = thresholds::)/$1; const auto $2/g;
       s/(\? thresholds::\w+) : (1|threshold)\b/$1 : thresholds::Tracked{static_cast<double>($2)}/g;
+      s/\? 1 : ([\d.]+ \* thresholds::\w+)/? thresholds::Tracked{1.0} : $1/g;
       s/\bdouble ((?:Selection::)?(?:leastGain|leastGainOf|neededFor)\()/thresholds::Tracked $1/g;
       s/\bdouble needed\b/const thresholds::Tracked& needed/g;
       s/(gain = 0), needed = 0;/$1; thresholds::Tracked needed{0};/;
@@ -63,6 +64,8 @@ track() {
       s/keepFirst\(std::size_t most/keepFirst(const thresholds::Tracked& most/;
     ' gap/{fit,identify,localize}/*.[ch]pp
     perl -pi -e 's/thresholds::k\w+/(+$&)/g' gap/report/*.cpp
+    perl -pi -e 's/constexpr( auto \w+ = [^;]*thresholds::)/const$1/g' gap/plant/body/*.cpp
+    perl -pi -e 's/static constexpr( std::array kEffects)/static const$1/' gap/identify/body/sensor_effect.cpp
   )
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # gap-suite.sh BIN [--cases N] [--seed N]: runs and scores the benchmark of `darwinop gap`, blind: the cases of another
-# simulator, if ../shared/gap-cases exists, and our own. Results stay in build/gap-suite: the same command resumes an
+# simulator, if $DARWINOP_SHARED/gap-cases exists, and our own. Results stay in build/gap-suite: the same command resumes an
 # interrupted run; another build of the program starts again.
 set -euo pipefail
 bin=$(cd "$1" && pwd)
@@ -41,7 +41,7 @@ if [ ! -e "build/gap-suite/$own/key.json" ]; then
   rm -rf "build/gap-suite/$own"  # a key is written last: without one the cases are not all there
   gap benchmark make --part all --seed "$seed" --cases "$cases" --out "build/gap-suite/$own"
 fi
-examples=../shared/gap-cases
+examples=${DARWINOP_SHARED:-}/gap-cases
 if [ -e "$examples/key.json" ] && [ "$cases" = 0 ]; then
   run examples "$examples/cases" "$examples/key.json" || status=$?
 fi

@@ -1,23 +1,13 @@
 #include "gap/benchmark/score/answers.hpp"
 
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <stdexcept>
 
-#include "hal/text_file.hpp"
+#include "gap/benchmark/score/results_file.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kLongestResults = std::size_t{64} << 20;  // bytes
-
-double numberOf(const Json& json, const char* name) {
-  const auto found = json.find(name);
-  return found != json.end() && found->is_number() ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
 
 /// Empty where there is none, or null.
 std::string wordOf(const Json& json, const char* name) {
@@ -44,33 +34,20 @@ CaseAnswer answerOf(const Json& json) {
     answer.ambiguity.push_back(set.get<std::vector<std::string>>());
   for (const Json& place : json.value("where", Json::array()))
     answer.places.push_back(
-        {wordOf(place, "file"), numberOf(place, "t0"), numberOf(place, "t1"), wordOf(place, "block")});
+        {wordOf(place, "file"), numberIn(place, "t0"), numberIn(place, "t1"), wordOf(place, "block")});
   answer.block = wordOf(json, "block");
   answer.first_open_block = wordOf(json, json.contains("first_open_block") ? "first_open_block" : "opens");
-  answer.before_rad = numberOf(json, "gap_score_before_mrad") / 1e3;
-  answer.after_rad = numberOf(json, "gap_score_after_mrad") / 1e3;
-  answer.runtime_s = numberOf(json, "runtime_s");
+  answer.before_rad = numberIn(json, "gap_score_before_mrad") / 1e3;
+  answer.after_rad = numberIn(json, "gap_score_after_mrad") / 1e3;
+  answer.runtime_s = numberIn(json, "runtime_s");
   return answer;
 }
 
 }  // namespace
 
 Answers readAnswers(const std::string& path) {
-  const std::optional<std::string> text = readTextFile(path, kLongestResults);
-  if (!text) throw std::runtime_error("cannot read " + path + "; `darwinop gap benchmark run` writes it");
   Answers answers;
-  std::string at;
-  try {
-    const Json all = Json::parse(*text);
-    if (!all.is_array()) throw std::runtime_error("expected a list with one object for each case");
-    for (const Json& json : all) {
-      const std::string name = json.at("case");
-      at = ", case " + name;
-      if (!answers.try_emplace(name, answerOf(json)).second) throw std::runtime_error("has two results");
-    }
-  } catch (const std::exception& error) {
-    throw std::runtime_error(path + at + ": " + error.what());
-  }
+  forEachResult(path, [&](const std::string& name, const Json& result) { answers[name] = answerOf(result); });
   return answers;
 }
 

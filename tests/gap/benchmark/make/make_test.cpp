@@ -122,7 +122,7 @@ TEST(SyntheticCase, IsIntegratedInAnotherWayWithTheSameResult) {
     plan.given.quantised = false;
     const Truth truth{.bench = baselineOf(plan.given), .outside = {}};
     for (const std::size_t i : {0u, 1u, 4u, 5u}) {  // slow, steps, bang, release
-      Trajectory log = plan.given.logs[i];
+      Trajectory& log = plan.given.logs[i];
       measure(plan, truth, nullptr, log);
       Trace trace;
       rollOut(plan.given, i, truth.bench, {.steps_per_period = 10}, trace);

@@ -21,7 +21,7 @@ std::vector<std::string> catalogueIds() {
 
 // Even the end of their plausible range is within some floors.
 bool isFaint(std::string_view id) {
-  return id == "quadratic_load_friction" || id == "encoder_quantisation" || id == "resistance_error";
+  return id == "encoder_quantisation" || id == "resistance_error";
 }
 
 Hidden hiddenAt(const std::string& id, int severity, std::uint64_t seed) {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -14,6 +13,7 @@
 
 #include "gap/benchmark/score/parameter_names.hpp"
 #include "hal/text_file.hpp"
+#include "support/shared_data.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {
@@ -312,8 +312,7 @@ TEST(Answers, AreRefusedWithFileAndCase) {
 }
 
 TEST(ExampleKey, GivesTheFullScoreToItsOwnAnswers) {
-  const char* const shared = std::getenv("DARWINOP_SHARED");
-  const std::filesystem::path path = std::filesystem::path{shared != nullptr ? shared : DARWINOP_SHARED} / "gap-cases";
+  const std::filesystem::path path = sharedData("gap-cases");
   if (!std::filesystem::exists(path / "key.json")) GTEST_SKIP() << "no example key in " << path;
   const Keys keys = readKeys((path / "key.json").string());
   EXPECT_EQ(keys.size(), 32u);

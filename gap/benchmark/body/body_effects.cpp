@@ -1,0 +1,242 @@
+#include "gap/benchmark/body/body_effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "core/text/nearest.hpp"
+#include "gap/identify/body/floor_effect.hpp"
+#include "gap/identify/body/mechanical_effect.hpp"
+#include "gap/identify/body/sensor_effect.hpp"
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using Vector3 = std::vector<double>;
+/// Values by key, in the order of the effect's numbers.
+using Values = std::map<std::string, std::vector<double>>;
+
+// Ids that other suites use for what the catalogue of servos has.
+constexpr std::string_view kBusLatency = "bus_latency", kTransportDelay = "transport_delay",
+                           kBattery = "battery_resistance";
+constexpr std::string_view kCable = "cable", kPush = "push", kLoose = "loose_part";
+
+Vector3 oneAxis(Rng& rng, double neutral, double low, double high) {
+  Vector3 out(3, neutral);
+  out[rng.below(3)] += rng.sign() * rng.between(low, high);
+  return out;
+}
+
+Vector3 drawnMap(Rng& rng) {
+  const Vector3 straight{1, 2, 3};
+  Vector3 map = straight;
+  while (map == straight) {
+    if (rng.coin()) rng.shuffle(map);
+    for (double& axis : map) axis = std::abs(axis) * (rng.uniform() < 0.3 ? -1 : 1);
+  }
+  return map;
+}
+
+/// So that recordings of some seconds show it.
+Values drawnFor(const std::string& id, Rng& rng) {
+  if (id == "gyro_bias") return {{"bias", oneAxis(rng, 0, 0.08, 0.25)}};
+  if (id == "accel_bias") return {{"bias", oneAxis(rng, 0, 0.25, 0.8)}};
+  if (id == "accel_scale") return {{"scale", oneAxis(rng, 1, 0.04, 0.1)}};
+  if (id == "gyro_scale") return {{"scale", oneAxis(rng, 1, 0.08, 0.3)}};
+  if (id == "imu_mounting") return {{"rotation", oneAxis(rng, 0, 0.04, 0.12)}};
+  if (id == "gyro_axes" || id == "accel_axes") return {{"map", drawnMap(rng)}};
+  if (id == "gyro_lowpass") return {{"time", {rng.between(0.012, 0.05)}}};
+  if (id == "gyro_range") return {{"range", {rng.between(0.3, 0.8)}}};
+  if (id == "imu_delay") return {{"delay", {rng.between(0.012, 0.05)}}};
+  if (id == "floor_friction") return {{"friction", {rng.between(0.15, 0.45)}}};
+  if (id == "contact_time") return {{"time", {rng.between(0.02, 0.05)}}};
+  if (id == "sole_size") return {{"scale", {rng.between(0.6, 0.85)}}};
+  if (id == "floor_tilt") {
+    Vector3 tilt{0, 0};
+    tilt[rng.below(2)] = rng.sign() * rng.between(0.02, 0.05);
+    return {{"tilt", tilt}};
+  }
+  throw std::logic_error("no size for " + id);
+}
+
+const SensorEffect* restingEffect(const std::string& id) {
+  const auto all = sensorEffects();
+  const auto found = std::ranges::find(all, id, &SensorEffect::id);
+  return found == all.end() ? nullptr : &*found;
+}
+
+void apply(const SensorEffect& effect, const std::vector<double>& values, ImuDeviation& imu) {
+  RestingImu::Deviation& of = effect.sensor == ImuSensor::kGyro ? imu.gyro : imu.accel;
+  const Eigen::Vector3d vector{values[0], values[1], values[2]};
+  if (effect.number == SensorEffect::Number::kBias) of.bias += vector;
+  if (effect.number == SensorEffect::Number::kScale) of.scale = vector;
+  if (effect.number == SensorEffect::Number::kRotation) of.rotation = vector;
+  if (effect.number != SensorEffect::Number::kMap) return;
+  of.map.setZero();
+  for (Eigen::Index i = 0; i < 3; ++i)
+    of.map(i, static_cast<Eigen::Index>(std::abs(vector[i])) - 1) = vector[i] > 0 ? 1 : -1;
+}
+
+void hideFloor(const std::string& id, const BodyCase& plan, Rng& rng, BodyTruth& truth, BodyKey& key) {
+  const std::vector<FloorEffect> all = floorEffects(plan.joints.model);
+  const FloorEffect& effect = *std::ranges::find(all, id, &FloorEffect::id);
+  const Values drawn = drawnFor(id, rng);
+  std::vector<double> values;
+  for (const auto& [name, of] : drawn) values.insert(values.end(), of.begin(), of.end());
+  effect.apply(truth.model, values);
+  key.effects.push_back({id, {std::string{effect.at}}, drawn});
+}
+
+void hideResting(const SensorEffect& effect, Rng& rng, BodyTruth& truth, BodyKey& key) {
+  const Values drawn = drawnFor(std::string{effect.id}, rng);
+  apply(effect, drawn.begin()->second, truth.model.imu);
+  key.effects.push_back({std::string{effect.id}, {std::string{effect.at}}, drawn});
+}
+
+void hideMass(const std::string& id, Rng& rng, BodyTruth& truth, BodyKey& key) {
+  const bool is_mass = id == "link_mass";
+  Vector3 shift = oneAxis(rng, 0, 0.01, 0.02);
+  const Eigen::Vector3d by{shift[0], shift[1], shift[2]};
+  if (rng.uniform() < 0.4) {
+    FloorChange& floor = truth.model.robot.floor;
+    if (is_mass)
+      floor.trunk_mass_kg = rng.between(0.15, 0.4), floor.trunk_from_com_m = 2 * by;
+    else
+      floor.trunk_com_shift_m = by;
+    key.effects.push_back({id, {"Body"}, is_mass ? Values{{"mass", {floor.trunk_mass_kg}}} : Values{{"shift", shift}}});
+    return;
+  }
+  // Links that are long enough to show it.
+  constexpr std::array kLinks{Joint::kArmUpperR, Joint::kArmLowerR, Joint::kArmLowerL, Joint::kLegUpperL,
+                              Joint::kLegLowerR, Joint::kFootR,     Joint::kFootL,     Joint::kHead};
+  LinkChange change{.link = rng.pick(kLinks)};
+  if (is_mass)
+    change.mass_kg = rng.between(0.04, 0.1), change.from_com_m = rng.coin() ? by : Eigen::Vector3d{0, 0, 0};
+  else
+    change.com_shift_m = by;
+  truth.model.robot.robot.links.push_back(change);
+  key.effects.push_back({id,
+                         {std::string{row(change.link).name}},
+                         is_mass ? Values{{"mass", {change.mass_kg}}} : Values{{"shift", shift}}});
+}
+
+const MechanicalEffect& mechanicalEffect(std::string_view id) {
+  return *std::ranges::find(mechanicalEffects(), id, &MechanicalEffect::id);
+}
+
+void hideInJoints(const std::string& id, std::vector<Joint> joints, double strength, BodyTruth& truth, BodyKey& key) {
+  const MechanicalEffect& effect = mechanicalEffect(id == kBusLatency ? kTransportDelay : std::string_view{id});
+  BodyHypothesis& robot = truth.model.robot.robot;
+  Values of_key;
+  for (const Joint joint : joints) {
+    std::vector<double> values = effect.values_in(robot, joint);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const MechanicalEffect::Number& number = effect.numbers[i];
+      // Friction comes on top of what is there; a limit gets tighter the further it is from neutral.
+      const double by = number.typical - number.neutral;
+      const bool is_limit = number.is_logarithmic && std::abs(number.typical) < std::abs(number.neutral);
+      const double value = is_limit ? number.typical / strength : values[i] + strength * by;
+      values[i] = std::clamp(number.is_secondary ? number.typical : value, number.low, number.high);
+      of_key[std::string{number.key}] = {values[i]};
+      if (!number.is_secondary) of_key[std::string{number.key} + "_added"] = {strength * by};
+    }
+    effect.apply(robot, joint, values);
+  }
+  std::vector<std::string> at;
+  for (const Joint joint : joints) at.emplace_back(row(joint).name);
+  if (joints.size() == kJoints) at = {"all"};
+  key.effects.push_back({id, id == kBusLatency ? std::vector<std::string>{"all"} : at, of_key});
+}
+
+void hideOutside(const std::string& id, const BodyCase& plan, Rng& rng, BodyTruth& truth, BodyKey& key) {
+  key.is_outside = true;
+  if (id == kCable) {
+    constexpr std::array kPulled{Joint::kNeck, Joint::kHead, Joint::kArmLowerR, Joint::kArmLowerL};
+    const Joint joint = rng.pick(kPulled);
+    const double stiffness = rng.between(1, 2.5), from = rng.between(-0.1, 0.1), sign = rng.sign();
+    truth.outside =
+        Disturber{.joint = joint,
+                  .torque_nm = [=](double angle) { return -sign * stiffness * std::max(0.0, sign * (angle - from)); },
+                  .file = {}};
+    key.where = {std::string{row(joint).name}};
+  } else if (id == kPush) {
+    const double from = rng.between(0.8, 2), angle = rng.between(-kPi, kPi), size = rng.between(4, 7);
+    truth.outside = Disturber{.joint = {},
+                              .torque_nm = {},
+                              .file = plan.logs[4].file,
+                              .from_s = from,
+                              .to_s = from + 0.2,
+                              .push_n = {size * std::cos(angle), size * std::sin(angle), 0}};
+    key.where = {"Body"};
+  } else {
+    const Joint joint = rng.coin() ? Joint::kArmLowerR : Joint::kArmLowerL;
+    truth.loose = LinkChange{.link = joint, .mass_kg = rng.between(0.05, 0.09)};
+    truth.loose_from_s = plan.logs[3].session_start_s;
+    key.where = {std::string{row(joint).name}};
+  }
+  key.effects.push_back({id, key.where, {}});
+}
+
+std::vector<Joint> drawnJoints(BodyClass kind, Rng& rng) {
+  std::vector<Joint> out;
+  if (kind == BodyClass::kPair) {
+    const auto right = static_cast<Joint>(2 * rng.below(9));
+    return {right, *leftOf(right)};
+  }
+  if (kind == BodyClass::kOneJoint) return {static_cast<Joint>(rng.below(kJoints))};
+  for (std::size_t i = 0; i < kJoints; ++i) out.push_back(static_cast<Joint>(i));
+  return out;
+}
+
+}  // namespace
+
+const std::vector<BodyEffect>& bodyEffects() {
+  static const std::vector<BodyEffect> kAll = [] {
+    std::vector<BodyEffect> out;
+    const auto add = [&](std::string_view id, BodyClass kind) { out.push_back({std::string{id}, kind}); };
+    for (const SensorEffect& effect : sensorEffects()) add(effect.id, BodyClass::kSensor);
+    for (const FloorEffect& effect : floorEffects(twin::readModel(twin::findModel("darwin-op"))))
+      if (effect.at != "Body") add(effect.id, effect.is_of_sensor ? BodyClass::kSensor : BodyClass::kContact);
+    for (const MechanicalEffect& effect : mechanicalEffects()) {
+      if (effect.is_of_link) add(effect.id, BodyClass::kMass);
+      if (effect.is_of_link) continue;
+      for (const BodyClass kind : {BodyClass::kOneJoint, BodyClass::kPair, BodyClass::kAll}) add(effect.id, kind);
+    }
+    add(kBattery, BodyClass::kBus), add(kBusLatency, BodyClass::kBus);
+    for (const std::string_view id : {kCable, kPush, kLoose}) add(id, BodyClass::kOutside);
+    return out;
+  }();
+  return kAll;
+}
+
+BodyEffect bodyEffectCalled(const std::string& text) {
+  const std::size_t at = text.find('@');
+  const std::string id = text.substr(0, at), where = at == std::string::npos ? "" : text.substr(at + 1);
+  std::vector<std::string_view> known;
+  for (const BodyEffect& effect : bodyEffects()) {
+    known.push_back(effect.id);
+    const bool is_there = where.empty() || (where == "pair" && effect.kind == BodyClass::kPair) ||
+                          (where == "all" && effect.kind == BodyClass::kAll);
+    if (effect.id == id && is_there) return effect;
+  }
+  throw std::runtime_error("there is no effect " + text + " of a whole robot to hide; " + text::suggestion(id, known) +
+                           "; an effect of a servo may have @pair or @all");
+}
+
+void hide(const BodyEffect& effect, const BodyCase& plan, Rng& rng, BodyTruth& truth, BodyKey& key) {
+  if (effect.kind == BodyClass::kOutside) return hideOutside(effect.id, plan, rng, truth, key);
+  if (effect.kind == BodyClass::kMass) return hideMass(effect.id, rng, truth, key);
+  if (const SensorEffect* const resting = restingEffect(effect.id)) return hideResting(*resting, rng, truth, key);
+  if (effect.kind == BodyClass::kSensor || effect.kind == BodyClass::kContact)
+    return hideFloor(effect.id, plan, rng, truth, key);
+  if (effect.id == kBattery) {
+    truth.battery_ohm = rng.between(0.1, 0.35);
+    key.effects.push_back({effect.id, {"battery"}, {{"resistance", {truth.battery_ohm}}}});
+    return;
+  }
+  hideInJoints(effect.id, drawnJoints(effect.kind, rng), rng.between(1, 2), truth, key);
+}
+
+}  // namespace darwinop::gap

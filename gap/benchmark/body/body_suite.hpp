@@ -1,0 +1,38 @@
+// Own suite of the whole robot: cases by seed, over all effects and places.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gap/benchmark/body/body_effects.hpp"
+
+namespace darwinop::gap {
+
+struct BodyRequest {
+  std::string name = {};  // of the case; must not reveal the effect
+  std::uint64_t seed = 1;
+  std::vector<BodyEffect> effects = {};
+  bool wrong_numbers = false;  // of the model, within their priors
+};
+
+enum class BodyPart : std::uint8_t { kQuick, kSingles, kEffectFree, kPairs, kOutside, kAll };
+
+/// Requests in random order, under neutral names.
+std::vector<BodyRequest> bodyRequests(std::uint64_t seed, BodyPart part);
+/// One case for each of them.
+std::vector<BodyRequest> bodyRequestsFor(std::uint64_t seed, const std::vector<std::string>& effects);
+
+struct HiddenBody {
+  BodyCase given;
+  BodyKey key;
+};
+/// The case in memory. The same for the same request. Throws std::runtime_error where the robot always falls.
+HiddenBody hiddenBody(const BodyRequest& request);
+
+/// Writes FOLDER/cases/* and FOLDER/key.json, which must not be there yet.
+void makeBodyCases(const std::string& folder, const std::vector<BodyRequest>& requests,
+                   const std::function<void(std::size_t done, std::size_t of)>& progress = {});
+
+}  // namespace darwinop::gap
