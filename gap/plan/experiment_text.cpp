@@ -93,7 +93,7 @@ void writePhase(const Phase& phase, const std::string& name, Writer& out) {
   out.section("phase " + name);
   std::string joints;
   for (const experiments::Moved& moved : phase.joints) joints += (joints.empty() ? "" : ", ") + signedName(moved);
-  out.line("joints", joints);
+  out.line("joints", phase.joints == experiments::allMoved() ? std::string{experiments::kAllJoints} : joints);
   if (phase.torque == TorqueMode::kLimit) writeGoal(phase, out);
   writeTorque(phase, out);
   if (experiments::jumps(phase.goal.shape) || phase.velocity != kFullSpeed)
@@ -123,6 +123,7 @@ std::string experimentText(const experiments::Experiment& experiment, const std:
 
   const experiments::ExperimentSetup& setup = experiment.setup;
   out.section("setup");
+  if (setup.is_clamped) out.line("trunk", "clamped");
   out.line("pose", std::string{setup.named->name});
   for (std::size_t i = 0; i < kJoints; ++i)
     if (setup.pose[i] != setup.named->pose[i]) out.line(std::string{kJointTable[i].name}, setup.pose[i], "rad");
@@ -138,7 +139,7 @@ std::string experimentText(const experiments::Experiment& experiment, const std:
   std::string joints;
   for (const Joint joint : experiment.record_joints)
     joints += (joints.empty() ? "" : ", ") + std::string{row(joint).name};
-  out.line("joints", joints);
+  out.line("joints", experiment.record_joints.size() == kJoints ? std::string{experiments::kAllJoints} : joints);
   std::string sensors;
   for (const std::string& sensor : experiment.record_sensors) sensors += (sensors.empty() ? "" : ", ") + sensor;
   if (!sensors.empty()) out.line("sensors", sensors);

@@ -9,6 +9,7 @@
 #include "core/conversions.hpp"
 #include "core/text/nearest.hpp"
 #include "gap/case/data_check.hpp"
+#include "gap/fit/servo_range.hpp"
 #include "gap/fit/solve.hpp"
 #include "gap/identify/effect_set.hpp"
 #include "gap/identify/ripple_starts.hpp"
@@ -50,8 +51,8 @@ const twin::EffectInfo& effectCalled(const Case& given, const std::string& id) {
 }
 
 /// Values of an effect's unknowns to begin a fit at.
-std::vector<std::vector<double>> startsOf(const twin::EffectInfo& effect) {
-  if (!isRipple(effect)) return gridOf(unknownsOf(effect));
+std::vector<std::vector<double>> startsOf(const twin::EffectInfo& effect, const twin::ServoParameters& servo) {
+  if (!isRipple(effect)) return gridOf(unknownsOf(effect, servo));
   std::vector<std::vector<double>> ripples;  // amplitude, count a turn, phase
   for (int count = 1; count <= thresholds::kMaxRipplesPerTurn; ++count)
     for (const double phase : {0.0, kPi / 2}) ripples.push_back({0.01, static_cast<double>(count), phase});
@@ -62,7 +63,8 @@ std::vector<std::vector<double>> startsOf(const twin::EffectInfo& effect) {
 Eigen::VectorXd bestStart(const Problem& problem, const Eigen::VectorXd& from, const twin::EffectInfo& effect) {
   std::vector<Eigen::VectorXd> starts{from};
   const auto own = static_cast<Eigen::Index>(unknownsOf(effect).size());
-  for (const std::vector<double>& values : own == 0 ? std::vector<std::vector<double>>{} : startsOf(effect)) {
+  const twin::ServoParameters& servo = problem.hypothesis().servo;
+  for (const std::vector<double>& values : own == 0 ? std::vector<std::vector<double>>{} : startsOf(effect, servo)) {
     Eigen::VectorXd x = from;
     for (Eigen::Index k = 0; k < own; ++k) {
       const Eigen::Index at = x.size() - own + k;

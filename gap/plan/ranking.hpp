@@ -50,6 +50,15 @@ struct NextExperiments {
 NextExperiments nextExperiments(const Case& given, const ArmSetup& stand, Question question,
                                 const std::vector<ExperimentCandidate>& candidates, int noise_runs = kNoiseRuns);
 
+/// The experiment for one pair of hypotheses.
+struct Decision {
+  const Ranked* by = nullptr;
+  Separation pair;
+};
+/// Of kSeparate: for each pair the first ranked experiment that separates it as an effect would show, else the one that
+/// separates it most; none for a pair that no experiment separates.
+std::vector<Decision> decisionsOf(const NextExperiments& next);
+
 /// "small_sines: separates backlash from deadband by 14 sigma in 20 s"
 std::string sentenceOf(const Question& question, const Ranked& ranked);
 std::string asText(const NextExperiments& next);

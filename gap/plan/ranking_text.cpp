@@ -94,6 +94,16 @@ std::string hypothesisText(const FittedHypothesis& hypothesis) {
   return text;
 }
 
+/// "  coulomb or com_mass: hold_from_both_sides, 20 s of robot time, 12 sigma"
+std::string decisionsText(const NextExperiments& next) {
+  std::string text;
+  for (const Decision& one : decisionsOf(next))
+    text += "  " + next.question.hypotheses[one.pair.a].name + " or " + next.question.hypotheses[one.pair.b].name +
+            ": " + one.by->vetted.candidate.experiment.name + ", " + text::fixedText(one.by->vetted.seconds, 0) +
+            " s of robot time, " + inSigma(one.pair.sigma) + "\n";
+  return text.empty() ? "" : "For each pair\n" + text;
+}
+
 bool isUninformative(const Question& question, const Ranked& ranked) {
   return question.aim != Aim::kNarrow && std::ranges::all_of(ranked.separations, [](const Separation& one) {
            return one.sigma < thresholds::kUninformative;
@@ -101,6 +111,20 @@ bool isUninformative(const Question& question, const Ranked& ranked) {
 }
 
 }  // namespace
+
+std::vector<Decision> decisionsOf(const NextExperiments& next) {
+  std::vector<Decision> decisions;
+  if (next.question.aim != Aim::kSeparate || next.ranked.empty()) return decisions;
+  for (std::size_t pair = 0; pair < next.ranked.front().separations.size(); ++pair) {
+    Decision best;
+    for (const Ranked& ranked : next.ranked) {
+      const Separation& there = ranked.separations[pair];
+      if (there.sigma > best.pair.sigma && best.pair.sigma < thresholds::kListedAsShown) best = {&ranked, there};
+    }
+    if (best.by != nullptr && best.pair.sigma >= thresholds::kUninformative) decisions.push_back(best);
+  }
+  return decisions;
+}
 
 std::string sentenceOf(const Question& question, const Ranked& ranked) {
   std::string text = ranked.vetted.candidate.experiment.name + ": ";
@@ -118,6 +142,7 @@ std::string sentenceOf(const Question& question, const Ranked& ranked) {
 std::string asText(const NextExperiments& next) {
   std::string text = headOf(next.question);
   for (const FittedHypothesis& hypothesis : next.question.hypotheses) text += hypothesisText(hypothesis);
+  text += decisionsText(next);
   text += "Experiments of " + std::string{row(next.stand.joint).name} + ", most per minute first\n";
   std::string nothing;
   std::size_t line = 0;
@@ -154,6 +179,12 @@ nlohmann::json asJson(const NextExperiments& next) {
       catalogue[std::string{effect->id}] = std::string{effect->separated_by};
     out["hypotheses"].push_back({{"name", hypothesis.name}, {"numbers", numbers}, {"separated_by", catalogue}});
   }
+  for (const Decision& one : decisionsOf(next))
+    out["decisions"].push_back(
+        {{"between", {next.question.hypotheses[one.pair.a].name, next.question.hypotheses[one.pair.b].name}},
+         {"experiment", one.by->vetted.candidate.experiment.name},
+         {"seconds", one.by->vetted.seconds},
+         {"sigma", one.pair.sigma}});
   if (next.question.aim == Aim::kNarrow)
     out["number"] = next.question.hypotheses.front().unknowns[next.question.unknown].name;
   for (const Ranked& ranked : next.ranked) {

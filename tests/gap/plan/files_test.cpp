@@ -43,9 +43,10 @@ void expectSame(const Experiment& a, const Experiment& b) {
     EXPECT_EQ(p.newton_meter.end, q.newton_meter.end) << p.name;
     EXPECT_EQ(p.until, q.until) << p.name;
     EXPECT_EQ(p.within, q.within) << p.name;
-    EXPECT_EQ(p.joints.at(0).joint, q.joints.at(0).joint) << p.name;
+    EXPECT_EQ(p.joints, q.joints) << p.name;
   }
   EXPECT_EQ(a.setup.pose, b.setup.pose);
+  EXPECT_EQ(a.setup.is_clamped, b.setup.is_clamped);
   EXPECT_EQ(a.setup.duration_s, b.setup.duration_s);
   EXPECT_EQ(a.setup.settle_s, b.setup.settle_s);
   EXPECT_EQ(a.record_joints, b.record_joints);

@@ -102,5 +102,36 @@ TEST(Ranking, HasAOneSentenceSummary) {
     EXPECT_THAT(sentence, testing::HasSubstr(part));
 }
 
+TEST(Plan, HasOneExperimentForEachPairWithItsTime) {
+  const Case bench = smallBench();
+  const auto ranked = [](const char* name, double seconds, std::vector<Separation> separations) {
+    Ranked one;
+    one.vetted.candidate = named(name);
+    one.vetted.seconds = seconds;
+    one.separations = std::move(separations);
+    return one;
+  };
+  NextExperiments next{
+      {Aim::kSeparate,
+       {hypothesisWith(bench, "backlash", "play", 0.01, 1), hypothesisWith(bench, "deadband", "width", 0.01, 1),
+        hypothesisWith(bench, "coulomb", "friction", 0.01, 1)},
+       0},
+      armSetupFor(Joint::kShoulderR),
+      {},
+      {}};
+  next.ranked.push_back(ranked("small_sines", 20, {{0, 1, 14}, {0, 2, 0.2}, {1, 2, 0.3}}));
+  next.ranked.push_back(ranked("hold_once", 31, {{0, 1, 40}, {0, 2, 2}, {1, 2, 0.1}}));
+  next.ranked.push_back(ranked("hold_from_both_sides", 47, {{0, 1, 9}, {0, 2, 7}, {1, 2, 0.5}}));
+  const std::vector<Decision> decisions = decisionsOf(next);
+  ASSERT_EQ(decisions.size(), 2U) << "nothing separates the third pair";
+  EXPECT_EQ(decisions[0].by, &next.ranked[0]) << "enough, in less time";
+  EXPECT_EQ(decisions[1].by, &next.ranked[2]) << "the one before is not enough";
+  const std::string text = asText(next);
+  for (const char* const part : {"small_sines, 20 s", "hold_from_both_sides, 47 s", "backlash or deadband"})
+    EXPECT_THAT(text, testing::HasSubstr(part));
+  next.question.aim = Aim::kNarrow;
+  EXPECT_TRUE(decisionsOf(next).empty());
+}
+
 }  // namespace
 }  // namespace darwinop::gap
