@@ -23,6 +23,11 @@ inline constexpr const char* kPageRequiresRest =
 inline constexpr const char* kWalkRequiresTorque =
     "walking requires both arms and both legs: switch their torque on first";
 
+// Live comparison.
+inline constexpr const char* kInvalidLiveRequest =
+    "the request must be {\"run\": {\"model\": NAME OR FILE, \"support\": \"clamped\" or \"floor\"}} or {\"run\": "
+    "null}";
+
 // Transfer.
 inline constexpr const char* kInvalidTransferRequest =
     "the request must be a JSON object with one of start, cancel, more and forget";
@@ -30,5 +35,11 @@ inline constexpr const char* kNoControllerFolder = "choose the folder of a contr
 inline constexpr const char* kInvalidPassword = "a password must be a single line of at most 200 bytes";
 inline constexpr const char* kAnotherTransferRuns =
     "another transfer is running: wait until it has ended, or cancel it";
+
+// Doctor. Before and in the command for the robot's computer.
+inline constexpr const char* kDoctorElsewhere = "The robot's port is on another computer; run there: ";
+inline constexpr const char* kDoctorThere = "/opt/darwinop/current/bin/darwinop doctor";
+inline constexpr const char* kNoDoctorDocument = "darwinop doctor printed no result; exit status ";
+inline constexpr const char* kInvalidDoctorRequest = "the request must be {\"check\": true}";
 
 }  // namespace darwinop::window::messages

@@ -53,6 +53,12 @@ test('observes and drives the robot over the network', async () => {
   await stateIs('holding');
 });
 
+test('the doctor of a robot on another computer is run there', async () => {
+  await page.click('#tab-0');
+  assert.equal(await page.locator('#doctor-check').isDisabled(), true);
+  assert.ok((await page.locator('.doctor code').innerText()).includes(message('kDoctorThere')));
+});
+
 test('reports a monitor that ends and reconnects when it is back', async () => {
   const port = portOf(monitor);
   await monitor.end();

@@ -5,10 +5,11 @@ import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {smallPng} from './small_png.mjs';
+import {compared, startStickingRobot} from './sticking_robot.mjs';
 import {startBrowser, startProgram, startWindow} from './window_program.mjs';
 
 const kMost = 90000;  // bytes of an image, because they are in the repository
-const kWide = {width: 1200, height: 760}, kTablet = {width: 820, height: 1180}, kCamera = {width: 1280, height: 720};
+const kWide = {width: 1200, height: 760}, kTablet = {width: 820, height: 1180}, kCamera = {width: 1280, height: 720}, kHigh = {width: 1280, height: 900};
 // Walks without physics, so that it also stays upright on a busy computer.
 const walker = [`${process.env.DARWINOP_BIN}/../controllers/05_walk/05_walk`, '--', '--seconds', '1000'];
 const [folder, ...wanted] = process.argv.slice(2);
@@ -22,6 +23,7 @@ const kPictures = [
   {name: 'loop', on: 'walker', tab: 'Loop'},
   {name: 'tablet', on: 'walker', tab: 'Servos', look: {viewport: kTablet, hasTouch: true}},
   {name: 'compare', on: 'walker', tab: 'Compare', prepare: compare},
+  {name: 'live', on: 'sticking', tab: 'Compare', prepare: live, look: {viewport: kHigh}},
   {name: 'faults', on: 'faulty', tab: 'Faults'},
   {name: 'walk', on: 'driven', tab: 'Steer', prepare: walk},
   {name: 'sensors', on: 'driven', tab: 'Steer', prepare: feelWalk, look: {colorScheme: 'dark'}},
@@ -41,6 +43,16 @@ async function compare(page) {
   await page.setInputFiles('#compare-files', [{name: 'twin.csv', mimeType: 'text/csv', buffer: log(0, 0.5)},
     {name: 'robot.csv', mimeType: 'text/csv', buffer: log(0.2, 0.45)}]);
   await page.waitForFunction(() => window.darwinop.compare.plot?.series.length === 3);
+}
+
+async function live(page) {
+  await page.click('#live-start');
+  await compared(page, 'darwin-op');
+  await page.waitForTimeout(12000);  // the arm moves
+  await page.fill('#live-model', page.sticking.repaired);
+  await page.click('#live-start');
+  await compared(page, page.sticking.repaired);
+  await page.waitForTimeout(8000);
 }
 
 async function walk(page) {
@@ -94,7 +106,7 @@ async function follower() {
   return shown;
 }
 
-const kWindows = {follower, walker: () => startWindow('--robot', 'virtual', ...walker), driven: () => startWindow('--robot', 'twin'), faulty};
+const kWindows = {follower, sticking: startStickingRobot, walker: () => startWindow('--robot', 'virtual', ...walker), driven: () => startWindow('--robot', 'twin'), faulty};
 const browser = await startBrowser();
 let shown;
 try {
@@ -102,6 +114,7 @@ try {
     shown = await kWindows[on]();
     for (const {name, tab, prepare, holds, look} of kPictures.filter((picture) => picture.on === on)) {
       const page = await browser.newPage({viewport: kWide, ...look});
+      page.sticking = shown;
       await page.goto(shown.url);
       await page.waitForFunction(() => window.darwinop?.view && window.darwinop.timeline.live?.count > 30);
       await page.getByRole('tab', {name: tab}).click();
@@ -110,7 +123,7 @@ try {
       let shot;
       do {
         await prepare?.(page);
-        await page.evaluate(() => scrollTo(0, 0));
+        await page.evaluate((at) => (at ? at.scrollIntoView() : scrollTo(0, 0)), await page.$(name === 'compare' ? '.logs' : 'no'));
         await page.waitForTimeout(500);
         shot = await page.screenshot();
       } while (holds && !await holds(page));

@@ -8,6 +8,8 @@
 #include "hal/net/names/resolve.hpp"
 #include "remote/client/tcp_link.hpp"
 #include "runtime/daemon_link.hpp"
+#include "window/live/monitor_source.hpp"
+#include "window/live/runtime_source.hpp"
 #include "window/view/local_monitor.hpp"
 
 namespace darwinop::window {
@@ -15,11 +17,6 @@ namespace {
 
 constexpr Nanos kServerPatience{3'000'000'000};
 constexpr std::uint16_t kMonitorPort = 5024;
-
-/// The robot is on another computer.
-bool isRemote(const RobotChoice& choice) {
-  return choice.robot.starts_with("tcp://") || !choice.monitor.empty();
-}
 
 /// Address of the robot's monitor: the host of its server unless --monitor is given.
 connect::Address monitorOf(const RobotChoice& choice) {
@@ -34,7 +31,16 @@ connect::Address monitorOf(const RobotChoice& choice) {
   return monitor;
 }
 
+/// Of the monitor, for messages.
+std::string nameOf(const RobotChoice& choice, const connect::Address& at) {
+  return choice.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : choice.logged_in_to;
+}
+
 }  // namespace
+
+bool isRemote(const RobotChoice& choice) {
+  return choice.robot.starts_with("tcp://") || !choice.monitor.empty();
+}
 
 std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
                                                     const std::vector<std::string>& controller) {
@@ -50,12 +56,20 @@ std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
   throw std::runtime_error("unknown --robot " + robot + "; use twin, twin:MODEL, virtual, runtime or tcp://HOST");
 }
 
+std::function<std::unique_ptr<CycleSource>()> cycleSourceOf(const RobotChoice& choice,
+                                                            const runtime::RuntimeFiles& files) {
+  if (!isRemote(choice)) return [files] { return std::make_unique<RuntimeSource>(files); };
+  const connect::Address at = monitorOf(choice);
+  return [address = net::addressesOf(at.host).front(), port = at.port, name = nameOf(choice, at)] {
+    return std::make_unique<MonitorSource>(address, port, name);
+  };
+}
+
 MonitorFeed openMonitorFeed(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& rendered,
                             const std::shared_ptr<monitor::ColourSearch>& search, const LogLine& log) {
   if (!isRemote(choice)) return MonitorFeed{makeLocalMonitor(files, rendered, search, log)};
   const connect::Address at = monitorOf(choice);
-  const std::string name = choice.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : choice.logged_in_to;
-  return MonitorFeed{std::make_unique<Bridge>(net::addressesOf(at.host).front(), at.port, name)};
+  return MonitorFeed{std::make_unique<Bridge>(net::addressesOf(at.host).front(), at.port, nameOf(choice, at))};
 }
 
 std::unique_ptr<runtime::RobotLink> openDriveLink(const RobotChoice& choice, const runtime::RuntimeFiles& files,

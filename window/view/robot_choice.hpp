@@ -8,6 +8,7 @@
 
 #include "runtime/names.hpp"
 #include "runtime/robot_link.hpp"
+#include "window/live/cycle_source.hpp"
 #include "window/view/monitor_feed.hpp"
 #include "window/view/simulated_robot.hpp"
 
@@ -19,6 +20,9 @@ struct RobotChoice {
   std::string logged_in_to{};  // USER@HOST of an ssh login; empty: none
 };
 
+/// The robot is on another computer.
+[[nodiscard]] bool isRemote(const RobotChoice& choice);
+
 /// Receives errors, also from other threads.
 using LogLine = std::function<void(const std::string&)>;
 
@@ -29,6 +33,10 @@ std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
 /// `files`: of the local runtime. `rendered`: camera file of the own virtual robot; empty: another robot.
 MonitorFeed openMonitorFeed(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& rendered,
                             const std::shared_ptr<monitor::ColourSearch>& search, const LogLine& log);
+
+/// Opens the source of the live comparison, without waiting: names are resolved here. Throws std::runtime_error.
+std::function<std::unique_ptr<CycleSource>()> cycleSourceOf(const RobotChoice& choice,
+                                                            const runtime::RuntimeFiles& files);
 
 /// Throws std::runtime_error if the window only observes.
 std::unique_ptr<runtime::RobotLink> openDriveLink(const RobotChoice& choice, const runtime::RuntimeFiles& files,

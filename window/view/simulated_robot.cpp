@@ -44,15 +44,14 @@ SimulatedRobot::SimulatedRobot(const std::string& body, const std::vector<std::s
 }
 
 void SimulatedRobot::start(const std::string& body, const std::vector<std::string>& controller) {
-  const std::string port = folder_.path() + "/robot";
   const auto add = [this](const std::string& noun, const std::vector<std::string>& words, std::chrono::seconds grace,
                           Child::Stdio stdio = Child::Stdio::kBackground,
                           const std::vector<std::string>& environment = {}) -> Child& {
     return *children_.emplace_back(std::make_unique<Child>(noun, words, grace, stdio, environment));
   };
-  waitForFile(port, add("virtual-robot", {"--link", port, "--body", body, "--camera", cameraFile()}, kRobotGrace));
+  waitForFile(port(), add("virtual-robot", {"--link", port(), "--body", body, "--camera", cameraFile()}, kRobotGrace));
   waitForFile(runtime::RuntimeFiles{name_}.exchange,
-              add("runtime", {"--robot", port, "--wait", "--name", name_}, kRuntimeGrace));
+              add("runtime", {"--robot", port(), "--wait", "--name", name_}, kRuntimeGrace));
   try {
     camera_settings_ = hil::cameraSettings(cameraFile(), connect::readRobotFile().camera.value_or("/dev/video0"));
   } catch (const std::runtime_error& error) {  // the page has pictures nevertheless

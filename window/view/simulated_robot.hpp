@@ -22,6 +22,8 @@ class SimulatedRobot {
 
   /// Name of the runtime, for `darwinop runtime --name` and DARWINOP_RUNTIME_NAME.
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Its serial port, a pty, which its runtime uses.
+  [[nodiscard]] std::string port() const { return folder_.path() + "/robot"; }
   /// File of rendered camera pictures, written while they are read.
   [[nodiscard]] std::string cameraFile() const { return folder_.path() + "/camera"; }
   /// Instructions for the user: how to start a controller on it from another terminal.

@@ -1,4 +1,4 @@
-// Compare tab: one column of several recordings, with time shifts.
+// Compare tab: the live comparison with the twin; one column of several recordings, with time shifts.
 import uPlot from 'uplot';
 import {colour, el, setText} from './dom.js';
 import {kMostRows, LogFile} from './log_file.js';
@@ -9,7 +9,9 @@ const kDashes = [undefined, undefined, undefined, [6, 3], [2, 3], [8, 3, 2, 3]];
 const kFirstChoice = 'LegLowerR.position';
 
 export class ComparePane {
-  constructor() {
+  /// `live`: LivePane.
+  constructor(live) {
+    this.live = live;
     this.logs = [];  // {log, shift, data, key}
     this.pick = el('input', {type: 'file', id: 'compare-files', accept: '.csv,text/csv', multiple: true});
     this.pick.addEventListener('change', () => this.add([...this.pick.files]));
@@ -19,7 +21,7 @@ export class ComparePane {
     this.status = el('p', {className: 'note', role: 'status'});
     this.box = el('div', {className: 'plot-box'});
     this.report = el('p', {className: 'note'});
-    this.node = el('div', {className: 'pane'},
+    this.node = el('div', {className: 'pane'}, live.node, el('h2', {}, 'Recordings'),
       el('p', {className: 'note'}, 'Choose two or more recordings of darwinop run --record, or CSV files saved by this page. They are not uploaded.'),
       el('div', {className: 'choose'}, el('label', {htmlFor: 'compare-files'}, 'Recordings'), this.pick,
         el('label', {htmlFor: 'compare-column'}, 'Curve'), this.column),
@@ -28,14 +30,15 @@ export class ComparePane {
     fetch('report.json').then((answer) => answer.json()).then(({name}) => this.linkReport(name)).catch(() => {});
   }
 
-  begin() {}
+  begin(joints) { this.live.begin(joints); }
+  shown(is_shown) { this.live.shown(is_shown); }
   draw() {}
   update() {}
   restyle() { this.build(); }
 
   linkReport(name) {
-    if (name === null) return setText(this.report, 'Twin and robot: darwinop window --report FILE links a report of darwinop gap here.');
-    return this.report.replaceChildren('Twin and robot: ',
+    if (name === null) return setText(this.report, 'darwinop window --report FILE links a report of darwinop gap here.');
+    return this.report.replaceChildren('Report of darwinop gap: ',
       el('a', {href: 'report.html', target: '_blank', rel: 'noopener noreferrer', id: 'gap-report'}, name));
   }
 

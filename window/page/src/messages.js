@@ -5,3 +5,5 @@ export const kNoData = 'No data from the robot';
 export const kPoseUnknown = 'its pose is unknown';
 export const kStandingStill = 'Standing still';
 export const kNothingRuns = 'Nothing runs.';
+export const kNotChecked = 'Checks computer, port, board and servos. Nothing moves; servo power is switched on if it is off.';
+export const kDoctorRuns = 'Some seconds:';

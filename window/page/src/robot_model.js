@@ -68,6 +68,14 @@ export class RobotModel {
 
   find(name) { return this.links.find((link) => link.name === name); }
 
+  /// Colours the links that these joints move, by name; null: their own colours.
+  tint(colours) {
+    this.links.forEach((link, i) => {
+      const colour = colours?.get(this.joint_of[i]) ?? 0x000000;  // light of its own, added to that of the lamps
+      for (const child of link.children) if (child.isMesh) child.material.emissive.set(colour);
+    });
+  }
+
   /// Name of the joint that moves a link, or null.
   jointOf(link) { return this.joint_of[this.links.indexOf(link)] ?? null; }
 

@@ -1,6 +1,6 @@
 // 3D view: measured pose in colour, commanded pose as a ghost.
 import {
-  AmbientLight, CircleGeometry, DirectionalLight, Fog, Mesh, MeshBasicMaterial, MeshLambertMaterial,
+  AmbientLight, CircleGeometry, Color, DirectionalLight, Fog, Mesh, MeshBasicMaterial, MeshLambertMaterial,
   PerspectiveCamera, Scene, WebGLRenderer,
 } from 'three';
 import {colour} from './dom.js';
@@ -13,6 +13,7 @@ import {Standing} from './standing.js';
 import {Tilt} from './tilt.js';
 
 const kSame_rad = 0.035;  // below this difference no ghost is shown
+const kAgrees = new Color(0x0d5c30), kDisagrees = new Color(0xb81d10);
 const kStill_rad = 5e-4;  // a third of a servo tick: no redraw
 
 export class RobotView {
@@ -54,6 +55,15 @@ export class RobotView {
   }
 
   restart() { this.standing.reset(); }
+
+  /// Colours joints by how much they disagree with the twin: 0 good, 1 bad, null not compared. `shares`: by name; null: no colours.
+  tint(shares) {
+    const key = shares === null ? '' : [...shares.values()].map((share) => share?.toFixed(1)).join();
+    if (key === this.tinted) return;
+    this.tinted = key;
+    this.robot.tint(shares && new Map([...shares].map(([name, share]) => [name, share === null ? 0 : kAgrees.clone().lerp(kDisagrees, share)])));
+    this.changed = true;
+  }
 
   /// `joints`: of "hello"; `state`: newest "state" message.
   take(joints, state) {

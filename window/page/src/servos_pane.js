@@ -1,5 +1,6 @@
-// Servos tab: curves of one servo, table of all.
+// Servos tab: findings of the doctor, curves of one servo, table of all.
 import {CurvePlot} from './curve_plot.js';
+import {DoctorPanel} from './doctor_panel.js';
 import {degrees, el, number, setClass, setText} from './dom.js';
 import {kServoHot} from './limits.js';
 
@@ -9,10 +10,11 @@ const kHead = [['Servo', ''], ['Target', 'deg'], ['Actual', 'deg'], ['Error', 'd
 const kDegrees = 180 / Math.PI;
 
 export class ServosPane {
-  constructor(timeline) {
+  constructor(timeline, doctor) {
     this.timeline = timeline;
     this.timed = true;
-    this.node = el('div', {className: 'pane'});
+    this.doctor = new DoctorPanel(doctor);  // also without a runtime, when there is nothing else
+    this.node = el('div', {className: 'pane'}, this.doctor.node);
     this.rows = [];
     this.chosen = 0;
   }
@@ -34,7 +36,7 @@ export class ServosPane {
       return {name, cells};
     });
     const head = kHead.map(([name, unit]) => el('th', {scope: 'col'}, name, ' ', el('span', {className: 'unit'}, unit)));
-    this.node.replaceChildren(...this.plots.map((plot) => plot.node),
+    this.node.replaceChildren(this.doctor.node, ...this.plots.map((plot) => plot.node),
       el('div', {className: 'scroll', tabIndex: 0, role: 'region', ariaLabel: 'All servos'},
         el('table', {}, el('thead', {}, el('tr', {}, ...head)), this.body)));
     this.choose(this.chosen);

@@ -4,9 +4,12 @@ import {columnsOf, fillRow} from './columns.js';
 import {ComparePane} from './compare_pane.js';
 import {CurvesPane} from './curves_pane.js';
 import {kDark, setClass, setText} from './dom.js';
+import {Doctor} from './doctor.js';
 import {FaultsPane} from './faults_pane.js';
 import {Feed} from './feed.js';
 import {LimbDrag} from './limb_drag.js';
+import {Live} from './live.js';
+import {LivePane} from './live_pane.js';
 import {LoopPane} from './loop_pane.js';
 import {Pills} from './pills.js';
 import {PoseDialog} from './pose_dialog.js';
@@ -36,8 +39,9 @@ const timeline = new Timeline();
 const pills = new Pills(by('pills'));
 const faults = new FaultsPane((count) => { pills.faults(count); tabs.count(5, count); });
 const loop = new LoopPane();
-const servos = new ServosPane(timeline);
-const compare = new ComparePane();
+const servos = new ServosPane(timeline, new Doctor(channel('doctor')));
+const live = new Live(channel('live'));
+const compare = new ComparePane(new LivePane(live, (shares) => view?.tint(shares)));
 const panes = [
   {name: 'Servos', pane: servos}, {name: 'All curves', pane: new CurvesPane(timeline)},
   {name: 'Motion sensors', pane: new SensorsPane(timeline)}, {name: 'Steer', pane: steer}, {name: 'Loop', pane: loop},
@@ -140,4 +144,4 @@ fetch('body.json').then((answer) => answer.json()).then((body) => {
   setText(by('pose-note'), 'Position is estimated from the standing foot, lean from accelerometer and gyro.');
 }).catch((error) => setText(by('pose-note'), `No 3D view: ${error.message}`));
 
-window.darwinop = {frames, timeline, feed, steering, compare, get view() { return view; }, get newest() { return newest; }};
+window.darwinop = {frames, timeline, feed, steering, compare, live, get view() { return view; }, get newest() { return newest; }};
