@@ -33,6 +33,7 @@ constexpr Noun kNouns[] = {
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},
     {"sound", "sound and speech for controllers, which start it automatically"},
     {"install", "install on a robot over ssh, send controllers; also --status, --rollback, --uninstall"},
+    {"calibrate", "measure the inertial sensor and zero offsets, keep them in robot.ini"},
     {"doctor", "check port, servos and real-time permissions, with a fix for each finding"},
 };
 

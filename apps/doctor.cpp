@@ -59,7 +59,7 @@ int examine(const std::string& asked, bool fix, bool json) {
   const auto finish = [&] { return report.finish(path, cm730::nameFaults(probed.facts, report.findings())); };
   if (!check.port) return finish();
 
-  report.begin("robot");
+  report.begin(app::DoctorReport::kRobotPart);
   cm730::ProbeOptions options = cm730::ProbeOptions::thorough();
   options.port = path;
   options.offsets = robot.offsets;

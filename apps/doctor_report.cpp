@@ -34,6 +34,7 @@ Json jsonOf(const cm730::Finding& finding, const std::string& part) {
 
 void DoctorReport::begin(std::string part) {
   part_ = std::move(part);
+  examined_ = examined_ || part_ == kRobotPart;
   if (!json_) std::printf("%s\n", part_.c_str());
 }
 
@@ -48,20 +49,30 @@ void DoctorReport::add(const cm730::Findings& findings) {
 }
 
 int DoctorReport::finish(const std::string& port, const std::vector<cm730::NamedFault>& faults) {
-  const bool drivable = count(cm730::Level::kError) == 0;
   if (json_) {
     std::printf("%s\n", document(port, faults).c_str());
-    return drivable ? 0 : 1;
+    return drivable() ? 0 : 1;
   }
   if (!faults.empty()) std::printf("faults, the most probable first\n");
   for (const cm730::NamedFault& fault : faults) std::fputs(cm730::toText(fault).c_str(), stdout);
-  std::printf("%d ok, %d warnings, %d errors: the robot %s be driven\n", count(cm730::Level::kOk),
-              count(cm730::Level::kWarning), count(cm730::Level::kError), drivable ? "can" : "cannot");
-  return drivable ? 0 : 1;
+  std::printf("%s\n", summary().c_str());
+  return drivable() ? 0 : 1;
+}
+
+std::string DoctorReport::summary() const {
+  std::string text = std::to_string(count(cm730::Level::kOk)) + " ok, " +
+                     std::to_string(count(cm730::Level::kWarning)) + " warnings, " +
+                     std::to_string(count(cm730::Level::kError)) + " errors: the robot ";
+  if (!examined_) return text + "was not examined";
+  return text + (drivable() ? "can be driven" : "cannot be driven");
 }
 
 std::string DoctorReport::document(const std::string& port, const std::vector<cm730::NamedFault>& faults) const {
-  Json json{{"drivable", count(cm730::Level::kError) == 0}, {"port", port}, {"faults", Json::array()}};
+  Json json{{"drivable", drivable()},
+            {"examined", examined_},
+            {"summary", summary()},
+            {"port", port},
+            {"faults", Json::array()}};
   for (const cm730::NamedFault& fault : faults) json["faults"].push_back(jsonOf(fault));
   json["findings"] = Json::array();
   for (std::size_t i = 0; i < findings_.size(); ++i) json["findings"].push_back(jsonOf(findings_[i], parts_[i]));

@@ -24,6 +24,8 @@
 namespace darwinop::experiments {
 namespace {
 
+constexpr const char* kUpright = "0 1 0";  // of a clamped twin, where nothing else is set
+
 /// Joint ranges of this robot; robot.ini may narrow them.
 Ranges rangesOf(const connect::Setting& robot) {
   if (robot.kind != connect::RobotKind::kSerial) return safety::hardRanges();
@@ -102,6 +104,7 @@ int run(ExperimentRequest a) {
   unsetenv("DARWINOP_RECORD");
   setIfGiven("DARWINOP_RECORD", a.record);
   setIfGiven("DARWINOP_RECORD_NOTES", recordNotes(experiment));
+  if (experiment.setup.is_clamped) setenv("DARWINOP_TWIN_CLAMP", kUpright, 0);
   setenv("DARWINOP_KEEP_CWD", "1", 1);  // file names are relative to the user's folder
   return reportEnd(drive(experiment, plan), a.record);
 }

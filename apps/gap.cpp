@@ -1,8 +1,10 @@
 // darwinop-gap: locates where logs and model diverge, and identifies what is missing from the model.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <iostream>
 
+#include "connect/setting.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/parallel/ranks.hpp"
 #include "gap_commands.hpp"
@@ -10,6 +12,7 @@
 namespace {
 
 namespace gap = darwinop::gap;
+namespace connect = darwinop::connect;
 
 using Command = int (*)(const gap::Arguments&);
 
@@ -36,6 +39,11 @@ void addBenchmark(CLI::App& parent, gap::Arguments& given, std::vector<Row>& row
   run->add_flag("--resume", given.resume, "keep the results that --out has already");
   run->add_option("--jobs", given.jobs, "cases at once; default: one with all threads")->check(CLI::Range(1, 1000));
   CLI::App* const make = add(names.make, "makes many cases, over all effects", gap::makeBenchmark);
+  make->add_option("--family", given.family, "servo, or body: the whole robot")
+      ->check(CLI::IsMember({"servo", "body"}))
+      ->capture_default_str();
+  make->add_option("--effect", given.effects,
+                   "body: a case for each ID, ID@pair, ID@all, or none, in place of a part; with commas: both in one");
   make->add_option("--part", given.part, "quick, singles, effect-free, pairs, outside or all")->capture_default_str();
   make->add_option("--seed", given.seed, "seed of everything random")->capture_default_str();
   make->add_option("--out", given.out, "folder for cases/ and key.json")->required();
@@ -63,8 +71,9 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
     rows.push_back({app.add_subcommand(name, what), command});
     return rows.back().parsed;
   };
-  const auto on_case = [&](CLI::App* one) {
-    one->add_option("CASE", given.folder, "a folder with case.json and logs, see docs/gap/cases.md")->required();
+  const auto on_case = [&](CLI::App* one,
+                           const char* what = "a folder with case.json and logs, see docs/gap/cases.md") {
+    one->add_option("CASE", given.folder, what)->required();
     return one;
   };
   const auto json = [&](CLI::App* one) { one->add_flag("--json", given.json, "print the result for programs"); };
@@ -84,9 +93,16 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
 
   model(on_case(add("check", "what the logs of a case can and cannot reveal", gap::check)));
   json(model(on_case(add("locate", "where the gap is: log, time, block of the loop; without any fit", gap::where))));
-  CLI::App* const run = on_case(add("run", "localize, identify, and verify on held-out logs", gap::run));
+  CLI::App* const run = on_case(add("run", "localize, identify, and verify on held-out logs", gap::run),
+                                "a folder with case.json, or with BAM logs or CSVs alone");
   json(report(model(run), "CASE"));
   out(run, "write the model with the effects, an INI file");
+  const auto raw = [&](CLI::App* one) {
+    one->add_option("--declare", given.declared, "KEY=VALUE that raw logs do not contain, docs/gap/own-servo.md");
+    one->add_flag("--all-logs", given.all_logs, "of a large folder of raw logs; else some are chosen");
+    one->add_option("--keep", given.held_out, "a raw log that is held out from the fit; repeat for more");
+  };
+  raw(run);
   CLI::App* const compare = on_case(add("report", "compares two models on the held-out logs", gap::compareModels));
   compare->add_option("--before", given.before, "a model file; else the case's own model");
   compare->add_option("--after", given.after, "a model file")->required();
@@ -100,11 +116,20 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
       add("case", "recordings of experiments with one joint of the robot, as a case", gap::makeCase);
   makes->add_option("RECORDINGS", given.recordings, "made by darwinop experiment run; to be fitted");
   makes->add_option("--from-bam", given.from_bam, "a folder with logs of BAM (JSON), in place of recordings");
+  makes->add_option("--from-csv", given.from_csv, "a folder with CSVs, in place of recordings");
   makes->add_option("--to-bam", given.to_bam, "a case whose logs are written as logs of BAM");
-  makes->add_option("--keep", given.held_out, "a recording that is held out from the fit; repeat for more");
+  raw(makes);
   makes->add_option("--joint", given.joint, "the joint that moved")->capture_default_str();
   makes->add_option("--model", given.model, "a model file or the name of a shipped model; else darwin-op");
   out(makes, "folder for the case")->required();
+  CLI::App* const records =
+      add("record", "makes the recordings of a case of the whole robot, docs/gap/body.md", gap::recordBody);
+  records->add_option("--robot", given.robot,
+                      "robot; default: DARWINOP_ROBOT, or else the first one found:\n" + connect::settingChoices());
+  out(records, "folder for the case")->required();
+  records->add_option("--model", given.model, "what the robot is compared with; else darwin-op");
+  records->add_flag("--floor", given.floor, "one more recording, standing on the floor");
+  records->add_flag("--yes", given.yes, "ask nothing: the robot stands ready, and moves");
   CLI::App* const plan = on_case(add("plan", "the most informative next experiment, docs/gap/plan.md", gap::planNext));
   plan->add_option("--against", given.against,
                    "ID,ID: effects to separate; default: what an identification leaves open");
@@ -129,6 +154,17 @@ bool isShared(Command command) {
   return command == gap::run || command == gap::runBenchmark;
 }
 
+/// Options before the name of a command, moved behind everything else: they count the same there. In CLI11's order,
+/// last first.
+std::vector<std::string> inOrder(const CLI::App& app, int count, char** arguments) {
+  std::vector<std::string> words(arguments + 1, arguments + count);
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  const auto name = std::ranges::find_first_of(words, commands, {}, {}, &CLI::App::get_name);
+  if (name != words.end()) std::rotate(words.begin(), name, words.end());  // clang++ 14 has no ranges::rotate for it
+  std::ranges::reverse(words);
+  return words;
+}
+
 int command(int count, char** arguments) {
   gap::Arguments given;
   CLI::App app{
@@ -136,11 +172,12 @@ int command(int count, char** arguments) {
       "Exit code of run: 0 nothing is missing, 10 named, 11 ambiguous, 12 unknown, 13 cannot tell, 2 bad input.",
       "darwinop gap"};
   app.require_subcommand(1);
+  app.fallthrough();  // --threads behind the command
   app.add_option("--threads", given.threads, "threads to use; else one a core");
   const std::vector<Row> rows = describe(app, given);
   app.footer("Example:\n  darwinop gap run tests/gap/cases/example --out repaired.ini");
   try {
-    app.parse(count, arguments);
+    app.parse(inOrder(app, count, arguments));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }

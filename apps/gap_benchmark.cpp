@@ -7,9 +7,11 @@
 #include <iostream>
 
 #include "core/json/json_text.hpp"
+#include "gap/benchmark/body/body_suite.hpp"
 #include "gap/benchmark/make/own_suite.hpp"
 #include "gap/benchmark/run/results.hpp"
 #include "gap/benchmark/run/suite.hpp"
+#include "gap/benchmark/score/body/body_score.hpp"
 #include "gap/benchmark/score/score.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/parallel/ranks.hpp"
@@ -41,6 +43,7 @@ void show(const std::string& line, const std::string& bar) {
   std::cerr << (terminal ? text + bar : text) << std::flush;
 }
 
+template <class Part>
 Part partCalled(const std::string& word) {
   constexpr std::array<std::string_view, 6> kWords{"quick", "singles", "effect-free", "pairs", "outside", "all"};
   const auto found = std::find(kWords.begin(), kWords.end(), word);
@@ -78,18 +81,24 @@ int runBenchmark(const Arguments& given) {
 }
 
 int makeBenchmark(const Arguments& given) {
-  std::vector<CaseRequest> requests = ownRequests(given.seed, partCalled(given.part));
-  if (given.cases > 0) requests.resize(std::min<std::size_t>(given.cases, requests.size()));
-  std::cerr << "darwinop gap: seed " << given.seed << ", " << requests.size() << " cases\n";
-  makeCases(given.out, requests, [](std::size_t done, std::size_t of) {
-    show(done == of || done % 20 == 0 ? std::to_string(done) + " of " + std::to_string(of) + " cases are made" : "",
-         "");
-  });
-  return 0;
+  const auto make = [&given](auto requests, const auto& write) {
+    if (given.cases > 0) requests.resize(std::min<std::size_t>(given.cases, requests.size()));
+    std::cerr << "darwinop gap: seed " << given.seed << ", " << requests.size() << " cases\n";
+    write(given.out, requests, [](std::size_t done, std::size_t of) {
+      show(done == of || done % 20 == 0 ? std::to_string(done) + " of " + std::to_string(of) + " cases are made" : "",
+           "");
+    });
+    return 0;
+  };
+  if (given.family != "body") return make(ownRequests(given.seed, partCalled<Part>(given.part)), makeCases);
+  return make(given.effects.empty() ? bodyRequests(given.seed, partCalled<BodyPart>(given.part))
+                                    : bodyRequestsFor(given.seed, given.effects),
+              makeBodyCases);
 }
 
 int scoreBenchmark(const Arguments& given) {
-  const Score score = scoreOf(readKeys(given.key), readAnswers(given.results));
+  const Score score = isBodyKey(given.key) ? bodyScoreOf(readBodyKeys(given.key), readBodyAnswers(given.results))
+                                           : scoreOf(readKeys(given.key), readAnswers(given.results));
   std::cout << (given.json ? asJson(score).dump(1) + "\n" : asText(score));
   if (!isBelow(score, given.at_least)) return 0;
   show(std::to_string(score.fair.right) + " of " + std::to_string(score.fair.of) +

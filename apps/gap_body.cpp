@@ -1,4 +1,5 @@
 // Cases of the whole robot.
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -6,16 +7,31 @@
 #include "core/json/json_text.hpp"
 #include "gap/case/body/body_check.hpp"
 #include "gap/identify/body/body_identification.hpp"
+#include "gap/identify/body/mechanics_text.hpp"
+#include "gap/localize/body/floor_rows.hpp"
+#include "gap/report/body/body_additions.hpp"
+#include "gap/report/body/body_report.hpp"
+#include "gap/report/data_hash.hpp"
 #include "gap_commands.hpp"
+#include "gap_files.hpp"
 
 namespace darwinop::gap {
 namespace {
+
+namespace fs = std::filesystem;
 
 BodyCase readBody(const Arguments& given) {
   BodyCase read = readBodyCase(given.folder);
   if (!given.model.empty()) read.joints.model = twin::readModel(twin::findModel(given.model));
   for (const std::string& warning : read.warnings) std::cerr << "darwinop gap: " << warning << '\n';
   return read;
+}
+
+/// The file that the model is from.
+std::string modelText(const Arguments& given, const BodyCase& read) {
+  if (!given.model.empty()) return textOf(twin::findModel(given.model));
+  const fs::path own = fs::path{read.folder} / read.model;
+  return textOf(fs::is_regular_file(own) ? own.string() : twin::findModel(read.model));
 }
 
 }  // namespace
@@ -28,19 +44,54 @@ int checkBody(const Arguments& given) {
 
 int locateBody(const Arguments& given) {
   const BodyCase read = readBody(given);
-  const BodyTable table = localize(read, RestingImu{read.joints.model});
+  const ClampedRobot robot{read};
+  const BodyTable table = withFloor(localize(read, RestingImu{read.joints.model}, robot), robot);
   std::cout << (given.json ? jsonText(asJson(table), 1) + "\n" : asText(table));
   return 0;
 }
 
 int runBody(const Arguments& given) {
-  if (!given.out.empty() || !given.report.empty() || given.open)
-    throw std::runtime_error(
-        "--out, --report and --open: a whole robot has neither model file nor report yet; use --json");
   const BodyCase read = readBody(given);
   const BodyIdentification found = identify(read);
-  std::cout << (given.json ? jsonText(asJson(read, found), 1) + "\n" : asText(found));
+  BodyReport report = reportOf(read, found, modelText(given, read));
+  const std::string folder = reportFolder(given, read.name), on = shellWord(given.folder);
+  report.commands = {"darwinop gap run" + modelOption(given) + " " + on};
+  if (!report.answer["effects"].empty()) {
+    report.commands.push_back("darwinop gap add" + modelOption(given) + " " + on + " " +
+                              shellWord(folder + "/report.json") + " --out repaired.ini");
+    report.commands.push_back("darwinop gap locate --model repaired.ini " + on);
+  }
+  std::cout << (given.json ? jsonText(report.answer, 1) + "\n" : asText(found));
+  for (const std::string& sentence : report.left_out) std::cerr << "darwinop gap: " << sentence << '\n';
+  if (!given.out.empty()) {
+    writeTo(given.out, report.model_after);
+    std::cerr << "darwinop gap: " << given.out << " is the model with the effects; the twin reads it\n";
+  }
+  if (!given.no_report) {
+    writeReport(report, folder);
+    showReport(given, folder, true);
+  }
   return exitCodeOf(found.verdict);
+}
+
+int addToBody(const Arguments& given) {
+  const BodyCase read = readBody(given);
+  if (given.results.empty())
+    throw std::runtime_error("add needs report.json of a run for a whole robot, as in darwinop gap add CASE " +
+                             std::string{"gap-report/CASE/report.json"});
+  const std::string before = modelText(given, read);
+  const BodyAdditions added = bodyAdditionsIn(textOf(given.results), given.results, read.name, read.joints.model);
+  const std::string text = withAdditions(before, added.additions);
+  if (given.out.empty())
+    std::cout << text;
+  else
+    writeTo(given.out, text);
+  for (const AddedEffect& effect : added.additions.effects)
+    std::cerr << "darwinop gap: " << effect.id << " at "
+              << (effect.joints.empty() ? "all joints" : placesText(effect.joints)) << " added\n";
+  for (const AddedAxes& axes : added.additions.imu) std::cerr << "darwinop gap: [imu] " << axes.key << " changed\n";
+  for (const std::string& sentence : added.left_out) std::cerr << "darwinop gap: " << sentence << '\n';
+  return 0;
 }
 
 }  // namespace darwinop::gap

@@ -29,10 +29,8 @@ void writeText(const std::filesystem::path& path, const std::string& text) {
   if (!file) throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
 }
 
-int fromBam(const Arguments& given) {
-  const BamCase read = readBamFolder(given.from_bam, given.model.empty() ? "darwin-op" : given.model, given.held_out);
-  writeCase(read.given, given.out);
-  for (const std::string& note : read.notes) std::cout << note << '\n';
+int fromRaw(const Arguments& given, const std::string& folder) {
+  makeRawCase(given, folder, given.out);
   std::cerr << "darwinop gap: " << given.out << " is the case; next: darwinop gap run " << given.out << "\n";
   return 0;
 }
@@ -48,10 +46,21 @@ int toBam(const Arguments& given) {
 
 }  // namespace
 
+void makeRawCase(const Arguments& given, const std::string& raw, const std::string& into) {
+  const FolderCase read = readRawFolder({.folder = raw,
+                                         .model = given.model,
+                                         .declared = given.declared,
+                                         .held_out = given.held_out,
+                                         .all_logs = given.all_logs});
+  writeCase(read.given, into);
+  for (const std::string& note : grouped(read.notes)) std::cerr << "darwinop gap: " << note << '\n';
+}
+
 int makeCase(const Arguments& given) {
-  if (!given.from_bam.empty()) return fromBam(given);
+  if (!given.from_bam.empty()) return fromRaw(given, given.from_bam);
+  if (!given.from_csv.empty()) return fromRaw(given, given.from_csv);
   if (!given.to_bam.empty()) return toBam(given);
-  if (given.recordings.empty()) throw std::runtime_error("give recordings, or --from-bam FOLDER");
+  if (given.recordings.empty()) throw std::runtime_error("give recordings, or --from-bam FOLDER, or --from-csv FOLDER");
   JointCaseRequest request;
   if (!given.model.empty()) request.model = given.model;
   request.joint = jointCalled(given.joint);

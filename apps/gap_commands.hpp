@@ -25,6 +25,7 @@ struct Arguments {
   bool wrong_numbers = false;
   std::uint64_t seed = 1;
   std::string part = "quick";          // of our own suite
+  std::string family = "servo";        // of its cases
   std::size_t cases = 0;               // of it; 0: all
   std::size_t jobs = 1;                // cases at once
   bool resume = false;                 // of a suite
@@ -35,10 +36,16 @@ struct Arguments {
   std::optional<double> hangs_at_rad;  // its angle where the arm hangs; nothing: as the robot's arms do
   std::string write;                   // folder for planned experiments
   std::vector<std::string> recordings, held_out;  // to make a case of
-  std::string from_bam, to_bam;                   // folder of BAM logs, or case to write as such
+  std::string from_bam, from_csv, to_bam;         // folder of raw logs, or case to write as BAM logs
+  std::vector<std::string> declared;              // of raw logs: "kp=32"
+  bool all_logs = false;                          // raw logs: none is left to the comparison alone
+  std::string robot;                              // to record: as DARWINOP_ROBOT
+  bool yes = false, floor = false;                // of a recording
   double at_least = 0;                            // minimum share of fair answers
 };
 
+/// A folder of raw logs without a case.json is made into a case in the folder `into`; notes go to stderr.
+void makeRawCase(const Arguments& given, const std::string& raw, const std::string& into);
 /// The case, with the model that stands in for its own.
 Case readGiven(const Arguments& given);
 /// What is odd about the case, or left out of it; a line each.
@@ -61,5 +68,7 @@ int makeCase(const Arguments& given);
 int checkBody(const Arguments& given);
 int locateBody(const Arguments& given);
 int runBody(const Arguments& given);
+int addToBody(const Arguments& given);
+int recordBody(const Arguments& given);  // gap_record.cpp
 
 }  // namespace darwinop::gap

@@ -1,91 +1,29 @@
 // Searches, reports, and puts effects into models.
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstddef>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "core/json/json_text.hpp"
 #include "gap/case/body/body_case.hpp"
+#include "gap/case/folder_files.hpp"
+#include "gap/case/raw_folder.hpp"
 #include "gap/parallel/ranks.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report.hpp"
 #include "gap_commands.hpp"
+#include "gap_files.hpp"
 #include "gap_progress.hpp"
-#include "hal/process/child_process.hpp"
-#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestText = 64 << 20;  // bytes: of a report, as darwinop window takes it
-
-std::string textOf(const std::string& path) {
-  const std::optional<std::string> text = readTextFile(path, kLongestText);
-  if (!text) throw std::runtime_error("cannot read " + path + ": " + std::strerror(errno));
-  return *text;
-}
-
-void writeTo(const std::string& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
-}
-
-/// A name of a case that is also one of a folder.
-std::string folderName(const std::string& name) {
-  std::string out;
-  for (const char c : name) {
-    const bool plain =
-        std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || (c == '.' && !out.empty());
-    out += plain ? c : '_';
-  }
-  return out.empty() ? "case" : out;
-}
-
-std::string reportFolder(const Arguments& given, const std::string& otherwise) {
-  return given.report.empty() ? (fs::path{"gap-report"} / folderName(otherwise)).string() : given.report;
-}
-
-/// Where a person sits in front of a screen; not at the far end of an ssh.
-bool someoneIsThere() {
-  const auto set = [](const char* name) {
-    const char* const value = std::getenv(name);
-    return value != nullptr && *value != '\0';
-  };
-  return isatty(STDOUT_FILENO) == 1 && (set("DISPLAY") || set("WAYLAND_DISPLAY")) && !set("SSH_CONNECTION");
-}
-
-/// The desktop's own program for pages; nothing happens where there is none.
-void openInBrowser(const std::string& path) try {
-  using process::Stream;
-  process::ChildProcess{{.command = {"xdg-open", path}, .streams = {{}, Stream::nothing(), Stream::nothing()}}}
-      .detach();
-} catch (const std::runtime_error&) {
-  std::cerr << "darwinop gap: xdg-open not found; open the page yourself\n";
-}
-
 void deliver(const Report& report, const Arguments& given, const std::string& folder) {
   writeReport(report, folder);
-  const std::string page = (fs::path{folder} / "report.html").string();
-  std::cerr << "darwinop gap: " << page << " is the report; report.json beside it is for programs"
-            << (report.outcome == nullptr ? "" : ", repaired.ini the model with the effects") << '\n';
-  if (given.open || (!given.no_open && !given.json && someoneIsThere())) openInBrowser(page);
-}
-
-std::string modelOption(const Arguments& given) {
-  return given.model.empty() ? "" : " --model " + shellWord(given.model);
+  showReport(given, folder, report.outcome != nullptr);
 }
 
 bool hasEffect(const std::string& model, const std::string& id) {
@@ -111,7 +49,24 @@ void printWarnings(const Case& read) {
   for (const std::string& warning : read.warnings) std::cerr << "darwinop gap: " << warning << '\n';
 }
 
+namespace {
+
+/// Raw logs are made into a case beside the report.
+int runRaw(Arguments given) {
+  if (Ranks::count() > 1) throw std::runtime_error("mpirun needs a case; make one with darwinop gap case");
+  given.report = reportFolder(given, nameOfFolder(given.folder));
+  const std::string made = (fs::path{given.report} / "case").string();
+  makeRawCase(given, given.folder, made);
+  std::cerr << "darwinop gap: " << made << " is the case; its case.json has every number that was declared\n";
+  given.folder = made;
+  given.model.clear();  // the case has it
+  return run(given);
+}
+
+}  // namespace
+
 int run(const Arguments& given) {
+  if (isRawFolder(given.folder)) return runRaw(given);
   if (isBodyCase(given.folder)) return Ranks::isFirst() ? runBody(given) : 0;
   const Case read = readGiven(given);
   printWarnings(read);
@@ -150,6 +105,7 @@ int compareModels(const Arguments& given) {
 }
 
 int addEffects(const Arguments& given) {
+  if (isBodyCase(given.folder)) return addToBody(given);
   const Case read = readGiven(given);
   if (given.results.empty() == given.effects.empty())
     throw std::runtime_error("add needs either report.json of a run or --effect ID.PARAMETER=VALUE");

@@ -52,7 +52,7 @@ std::optional<connect::OpenedBus> openBus(const Arguments& given, const connect:
                                           const runtime::LoopConfig& config) {
   const std::string port = given.port.value_or(robot.serialPort());
   const auto open = [&] {
-    return connect::openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted});
+    return connect::openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted, robot.imu});
   };
   if (!given.wait) return open();
   const auto log = [](const std::string& what) { std::cerr << "darwinop runtime: " << what << std::endl; };

@@ -2,8 +2,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,8 +18,11 @@
 #include "monitor/messages.hpp"
 #include "runtime/clock.hpp"
 #include "ssh_login.hpp"
+#include "window/doctor/doctor_channel.hpp"
 #include "window/drive/drive_thread.hpp"
 #include "window/drive/steering_session.hpp"
+#include "window/live/live_channel.hpp"
+#include "window/live/live_message.hpp"
 #include "window/page/assets.hpp"
 #include "window/page/body_json.hpp"
 #include "window/page/pages_json.hpp"
@@ -33,6 +38,7 @@ namespace {
 using namespace darwinop;
 
 constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a session must not seem to stall
+constexpr std::size_t kPages = 4;           // at once
 
 struct WindowArguments {
   window::RobotChoice choice;
@@ -46,18 +52,22 @@ void logWindow(const std::string& line) {
   std::cerr << "darwinop window: " << line << std::endl;
 }
 
+/// A page opens one of each.
+struct PageChannel {
+  const char* name;
+  const char* protocol;
+  web::ChannelHandler& handler;
+};
+
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
-std::string serveWindow(web::WebServer& server, const WindowArguments& given, window::MonitorFeed& feed,
-                        window::SteeringSession& session, window::Transfer& transfer) {
+std::string serveWindow(web::WebServer& server, const WindowArguments& given, std::span<const PageChannel> channels) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
   server.serve(base + "body.json", {"application/json", window::bodyJson(given.model)});
   window::serveReport(server, base, given.report);
   server.serve(base + "pages.json", {"application/json", window::pagesJson(motion::ownPages())});
-  server.channel(base + "monitor", monitor::kSubprotocol, feed.handler());
-  server.channel(base + "steering", window::kSteeringProtocol, session);
-  server.channel(base + "transfer", window::kTransferProtocol, transfer);
+  for (const PageChannel& one : channels) server.channel(base + one.name, one.protocol, one.handler);
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
@@ -74,20 +84,31 @@ void showWindow(const WindowArguments& given, window::SimulatedRobot* own, windo
   window::SteeringSession session{drive_thread, clock};
   window::Transfer transfer{window::Child::programOf("install"), window::RememberedFile::usual(), clock,
                             window::robotOf(given.choice.logged_in_to, given.login.port, given.login.key)};
+  window::DoctorChannel doctor{
+      window::doctorCommand(given.choice, window::Child::programOf("doctor"), own ? own->port() : "")};
+  window::LiveChannel live{window::cycleSourceOf(given.choice, files), clock, given.model};
+  const PageChannel channels[] = {{"monitor", monitor::kSubprotocol, feed.handler()},
+                                  {"steering", window::kSteeringProtocol, session},
+                                  {"transfer", window::kTransferProtocol, transfer},
+                                  {"doctor", window::kDoctorProtocol, doctor},
+                                  {"live", window::kLiveProtocol, live}};
   web::WebServerConfig config;
   config.port = given.port;
   config.origin.own_origin = true;
-  config.max_channels = 12;  // three for each page
+  config.max_channels = kPages * std::size(channels);
   web::WebServer server{config, logWindow};
-  const std::string address = serveWindow(server, given, feed, session, transfer);
+  const std::string address = serveWindow(server, given, channels);
   std::cout << "open in a browser: " << address << '\n';
   if (own) std::cout << own->driveInstructions() << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
   while (!endRequested() && (ssh == nullptr || !ssh->ended())) {
-    server.poll(std::min({feed.pause(), transfer.pause(), session.drives() ? kDrivingPause : feed.pause()}));
+    server.poll(std::min({feed.pause(), transfer.pause(), doctor.pause(), live.pause(),
+                          session.drives() ? kDrivingPause : feed.pause()}));
     feed.update();
     session.update();
     transfer.update();
+    doctor.update();
+    live.update();
     if (const std::string message = own ? own->takeMessage() : ""; !message.empty()) {
       feed.notice(message);
       logWindow(message);
@@ -130,7 +151,7 @@ int main(int count, char** arguments) try {
       ->capture_default_str();
   app.add_option("--monitor", given.choice.monitor, "HOST[:PORT] of a darwinop monitor; --robot tcp://HOST: HOST:5024");
   app.add_option("--report", given.report, "report of darwinop gap to link");
-  app.add_option("--model", given.model, "twin model for the 3D view")->capture_default_str();
+  app.add_option("--model", given.model, "twin model of the 3D view and of the live comparison")->capture_default_str();
   app.add_option("--name", given.name, "name of the runtime, if there are several")->envname("DARWINOP_RUNTIME_NAME");
   app.add_option("--port", given.port, "local TCP port; 0: any free port")->capture_default_str();
   addSshLogin(app, given.login);

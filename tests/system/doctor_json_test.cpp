@@ -32,6 +32,7 @@ struct DoctorJson : Rig {
     EXPECT_TRUE(document.is_object()) << doctor.output();
     EXPECT_EQ(document["drivable"], exit_code == 0);
     EXPECT_EQ(document["port"], port());
+    EXPECT_THAT(document["summary"].get<std::string>(), HasSubstr(" errors: "));
     return document;
   }
   static std::vector<std::string> namesIn(const json& document) {
@@ -62,6 +63,7 @@ void collectKeys(const json& value, const std::string& before, std::set<std::str
 TEST_F(DoctorJson, ABrokenChainHasItsPlaceAndRemedyAndEachKeyIsDocumented) {
   startVirtualRobot("", {"--servo", "AnkleR=missing", "--servo", "FootR=missing"});
   const json document = examine(1);
+  EXPECT_EQ(document["examined"], true);
   const json fault = faultIn(document, "chain_broken");
   EXPECT_EQ(fault.value("servos", json::array()), json::array({15}));
   EXPECT_FALSE(fault.value("remedy", std::string{}).empty());
@@ -99,7 +101,12 @@ TEST_F(DoctorJson, APortThatAnotherProgramHasLocked) {
   const int other = ::open(port().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(other, 0);
   ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
-  EXPECT_EQ(namesIn(examine(1)), std::vector<std::string>{"other_program"});
+  const json document = examine(1);
+  EXPECT_EQ(namesIn(document), std::vector<std::string>{"other_program"});
+  EXPECT_THAT(faultIn(document, "other_program").value("evidence", std::string{}),
+              HasSubstr("process " + std::to_string(::getpid()) + " "))
+      << "not the virtual robot, which has its pty open as well";
+  EXPECT_EQ(document["examined"], false) << "nothing is known of the robot";
   ::close(other);
 }
 

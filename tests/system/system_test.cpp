@@ -52,15 +52,18 @@ TEST_F(WholeChain, ADeadServoOfAnArmIsNamedAndTheOthersGoOn) {
   const std::string output = run(port(), {"--record", file("log.csv")}, {"100"});
   EXPECT_THAT(output, HasSubstr("ArmUpperR"));
   const Recording log{file("log.csv")};
-  std::size_t missing = 0, driven = 0;
+  std::size_t driven = 0, answered = 0;
   for (std::size_t i = 0; i < log.rows(); ++i) {
     if (log.at(i, "safety.state") != kDriven) continue;
     ++driven;
     EXPECT_TRUE(std::isnan(log.at(i, "ArmUpperR.position [rad]")));
-    missing += std::isnan(log.at(i, "ArmLowerR.position [rad]")) ? 1 : 0;
+    // The neck is read after both; a busy machine may read a whole cycle too late.
+    if (std::isnan(log.at(i, "Neck.position [rad]"))) continue;
+    ++answered;
+    EXPECT_FALSE(std::isnan(log.at(i, "ArmLowerR.position [rad]"))) << "row " << i;
   }
   EXPECT_GE(driven, 100U);
-  EXPECT_LE(missing, driven / 50);
+  EXPECT_GT(answered, driven / 2);
 }
 
 class RefusedRobot : public Rig, public testing::WithParamInterface<const char*> {};

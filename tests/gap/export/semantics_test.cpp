@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include "core/units.hpp"
 #include "gap/export/bodies.hpp"
 #include "gap/export/export_rig.hpp"
 #include "gap/plant/bench/roll_out.hpp"
+#include "support/shared_data.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -173,9 +173,7 @@ TEST(ExportSemantics, TheThesisModelIsExactInWebots) {
 }
 
 TEST(ExportSemantics, ExampleCasesAreMeasuredAgain) {
-  const char* const folder = std::getenv("DARWINOP_SHARED");
-  const std::filesystem::path path =
-      std::filesystem::path{folder != nullptr ? folder : DARWINOP_SHARED} / "gap-cases/cases/e01";
+  const std::filesystem::path path = sharedData("gap-cases/cases/e01");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no example case in " << path;
   const Case given = readCase(path);
   for (const TargetInfo& info : kTargetTable) {

@@ -1,0 +1,85 @@
+#include "gap_files.hpp"
+
+#include <unistd.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+
+#include "gap/report/data_hash.hpp"
+#include "hal/process/child_process.hpp"
+#include "hal/text_file.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestText = 64 << 20;  // bytes: of a report, as darwinop window takes it
+
+/// A name of a case that is also one of a folder.
+std::string folderName(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const bool plain =
+        std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || (c == '.' && !out.empty());
+    out += plain ? c : '_';
+  }
+  return out.empty() ? "case" : out;
+}
+
+/// Where a person sits in front of a screen; not at the far end of an ssh.
+bool someoneIsThere() {
+  const auto set = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  return isatty(STDOUT_FILENO) == 1 && (set("DISPLAY") || set("WAYLAND_DISPLAY")) && !set("SSH_CONNECTION");
+}
+
+/// The desktop's own program for pages; nothing happens where there is none.
+void openInBrowser(const std::string& path) try {
+  using process::Stream;
+  process::ChildProcess{{.command = {"xdg-open", path}, .streams = {{}, Stream::nothing(), Stream::nothing()}}}
+      .detach();
+} catch (const std::runtime_error&) {
+  std::cerr << "darwinop gap: xdg-open not found; open the page yourself\n";
+}
+
+}  // namespace
+
+std::string textOf(const std::string& path) {
+  const std::optional<std::string> text = readTextFile(path, kLongestText);
+  if (!text) throw std::runtime_error("cannot read " + path + ": " + std::strerror(errno));
+  return *text;
+}
+
+void writeTo(const std::string& path, const std::string& text) {
+  std::ofstream file{path, std::ios::binary};
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+}
+
+std::string reportFolder(const Arguments& given, const std::string& otherwise) {
+  return given.report.empty() ? (fs::path{"gap-report"} / folderName(otherwise)).string() : given.report;
+}
+
+void showReport(const Arguments& given, const std::string& folder, bool has_model) {
+  const std::string page = (fs::path{folder} / "report.html").string();
+  std::cerr << "darwinop gap: " << page << " is the report; report.json beside it is for programs"
+            << (has_model ? ", repaired.ini the model with the effects" : "") << '\n';
+  if (given.open || (!given.no_open && !given.json && someoneIsThere())) openInBrowser(page);
+}
+
+std::string modelOption(const Arguments& given) {
+  return given.model.empty() ? "" : " --model " + shellWord(given.model);
+}
+
+}  // namespace darwinop::gap

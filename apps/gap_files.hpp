@@ -1,0 +1,22 @@
+// Files that commands of darwinop-gap read and write, and where reports go.
+#pragma once
+
+#include <string>
+
+#include "gap_commands.hpp"
+
+namespace darwinop::gap {
+
+/// Throws std::runtime_error with the path and the reason.
+std::string textOf(const std::string& path);
+void writeTo(const std::string& path, const std::string& text);
+
+/// That of --report, else one under gap-report that is named after `otherwise`.
+std::string reportFolder(const Arguments& given, const std::string& otherwise);
+/// Says where the report is, and opens it where a person sits in front of a screen.
+void showReport(const Arguments& given, const std::string& folder, bool has_model);
+
+/// " --model FILE" as it was given; else nothing.
+std::string modelOption(const Arguments& given);
+
+}  // namespace darwinop::gap

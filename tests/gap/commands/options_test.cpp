@@ -1,0 +1,30 @@
+// Arguments of `darwinop gap`: options count before and behind the name of a command.
+#include <gmock/gmock.h>
+
+#include "support/shell.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+const std::string kGap = DARWINOP_GAP, kExample = DARWINOP_GAP_EXAMPLE;
+
+TEST(GapOptions, CountBeforeAndBehindTheCommand) {
+  const std::string behind = shell(kGap + " locate " + kExample + " --json --threads 1").said;
+  ASSERT_THAT(behind, testing::StartsWith("{"));
+  EXPECT_EQ(shell(kGap + " --json --threads 1 locate " + kExample).said, behind);
+}
+
+TEST(GapOptions, CountBeforeACommandOfTwoWords) {
+  const Outcome behind = shell(kGap + " benchmark score --json none.json none.json");
+  const Outcome before = shell(kGap + " --json --threads 1 benchmark score none.json none.json");
+  EXPECT_EQ(before.said, behind.said);
+  EXPECT_EQ(before.status, 2);
+}
+
+TEST(GapOptions, ThatAreUnknownAreRefusedBeforeTheCommandToo) {
+  EXPECT_EQ(shell(kGap + " --jsn locate " + kExample).status, 2);
+  EXPECT_EQ(shell(kGap + " --json").status, 2) << "no command";
+}
+
+}  // namespace
+}  // namespace darwinop::gap
