@@ -21,6 +21,7 @@ remote/jpeg | remote/jpeg |
 runtime | runtime |
 supervisor | supervisor |
 window/drive | window |
+window/live | window/live |
 '
 
 starting=$(git grep -lE '\bstd::(jthread|thread) *(\{|[a-z_]+[;{(=])|\bstd::vector<std::j?thread>|\bstd::async\(|\bpthread_create\(' -- \

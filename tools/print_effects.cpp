@@ -32,7 +32,8 @@ play = 0.01 rad
 )";
 
 constexpr std::string_view kHowToRead = R"(
-A model file with a parameter outside its range is refused; a search stays inside. At the neutral value (if not given: 0)
+Ranges of torques are those of an MX-28. A model file with a parameter outside its range, of a torque outside ten times its
+range, is refused; a search stays inside, for friction in proportion to the stall torque. At the neutral value (if not given: 0)
 the effect does nothing, to the last bit. The typical value is given if it differs. `log`: searched in its logarithm.
 `secondary`: fixed at its typical value until the effect is accepted. Without a source the range is assumed.
 

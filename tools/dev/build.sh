@@ -52,9 +52,11 @@ await_ahead() {
 ahead_at() { pgrep -g "$DARWINOP_AHEAD" | xargs -r -n 1 chrt "$1" --pid 0 2>/dev/null || :; }
 
 # The archive that `darwinop install` sends and the SDK that controllers for the robot are built with.
-build_robot() {
-  build robot robot_programs darwinop_sdk
-  tools/make_bundle.sh build/robot
+build_robot() { # ARCHITECTURE
+  local preset=robot
+  [ "$1" = i686 ] || preset=robot-$1
+  build "$preset" robot_programs darwinop_sdk
+  tools/make_bundle.sh "build/$preset"
 }
 
 # sources PATTERN...: files of the repository, including new ones.

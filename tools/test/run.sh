@@ -13,7 +13,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/background.sh
 
 gate=(format scripts build docs model asan release i686 install tsan tidy)
-deep=(lint headers gap gap-sanitized long-model campaign long-install vm n270 i686-native fuzz bench)
+deep=(lint headers gap gap-sanitized long-model campaign long-install vm vm-aarch64 n270 arm i686-native fuzz bench)
 more=(fast slow)  # for developers: one label of the debug build
 
 has_stage() { [[ " ${gate[*]} ${deep[*]} ${more[*]} " == *" $1 "* ]]; }
@@ -32,7 +32,7 @@ fi
 groups=(build test robot)
 for stage in "$@"; do
   has_stage "$stage" || die "no stage '$stage'. Gate: ${gate[*]}. Deep: ${deep[*]}. Debug build: ${more[*]}"
-  [[ " ${deep[*]} " != *" $stage "* ]] || groups=(build test robot deep bench)
+  [[ " ${deep[*]} " != *" $stage "* ]] || groups=(build test robot robot-arm deep bench)
 done
 # Every draw of a test follows from these seeds. The gate always uses the same; deep has another every day.
 day=$(date +%Y%m%d)

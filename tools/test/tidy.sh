@@ -3,7 +3,7 @@
 #
 # Changed is what differs from the merge base with origin/main. On main itself: what the last commits changed, at most 20 of
 # them and at most 40 files, whichever comes first. DARWINOP_TIDY_BASE=COMMIT says it otherwise.
-# builds: asan-ubsan all fuzzers
+# builds: asan-ubsan all fuzzers precompiled_headers
 # computes only
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
@@ -34,7 +34,7 @@ base() {
 
 # The units (files that the compiler gets: unity batches, mostly) of this build. With a list of changed files on stdin: each
 # unit that contains a changed .cpp, and for each changed header one unit that includes it.
-units_of_all() { sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$build/compile_commands.json" | grep -v cmake_pch | sort -u; }
+units_of_all() { sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$build/compile_commands.json" | grep -vE "cmake_pch|_headers\.cpp$" | sort -u; }
 units_of_changed() {
   cat >"$build/changed"
   ninja -C "$build" -t deps | awk '
@@ -42,7 +42,7 @@ units_of_changed() {
     /^[^ ]/ { unit = ""; next }
     NF {
       if (unit == "") {  # the first source among the dependencies is the unit itself
-        if ($1 !~ /\.c(pp|xx)$/ || $1 ~ /cmake_pch/) next
+        if ($1 !~ /\.c(pp|xx)$/ || $1 ~ /cmake_pch|_headers\.cpp$/) next
         unit = $1
       }
       n = split($1, part, "/")
