@@ -7,6 +7,7 @@
 
 #include "safety/wire_rig.hpp"
 #include "support/blocked_body.hpp"
+#include "support/every_case.hpp"
 
 namespace darwinop {
 namespace {
@@ -67,7 +68,7 @@ TEST(Shutdown, IsBelievedAtOnceWhenTheGainOfTheJointChangesInEveryStep) {
 // A write of the torque limit is what makes a servo forget: it goes without a goal, and the torque that is off then is
 // seen in the same cycle.
 TEST(Shutdown, IsBelievedAtOnceWhenTorqueLimitsChangeInEveryStep) {
-  constexpr Nanos kStep = std::chrono::microseconds{250};
+  constexpr Nanos kStep = kNextCase * std::chrono::microseconds{250};
   const Stall own =
       worst([](Commands& c, int i) { c.joint[kBlocked].setTorqueLimit(NewtonMeter{2.0 + 0.2 * wave(i)}); }, kStep);
   EXPECT_EQ(own.trips, 1);

@@ -44,6 +44,24 @@ TEST(ExperimentReader, MinusMirrorsAJoint) {
   EXPECT_EQ(nod.rounds[0].phases[0].joints[1].sign, -1);
 }
 
+TEST(ExperimentReader, AllStandsForEveryJointWithTheLeftOnesMirrored) {
+  const Experiment nod = parseExperiment(with(with(kNod, "joints = Neck\ngoal", "joints = all\ngoal"),
+                                              "[record]\njoints = Neck", "[record]\njoints = all"),
+                                         "my.ini");
+  const std::vector<Moved>& joints = nod.rounds[0].phases[0].joints;
+  ASSERT_EQ(joints.size(), kJoints);
+  EXPECT_EQ(joints[index(Joint::kAnkleR)].sign, 1);
+  EXPECT_EQ(joints[index(Joint::kAnkleL)].sign, -1);
+  EXPECT_EQ(joints[index(Joint::kHead)].sign, 1);
+  EXPECT_EQ(nod.record_joints.size(), kJoints);
+}
+
+TEST(ExperimentReader, ATrunkIsFreeUnlessItIsClamped) {
+  EXPECT_FALSE(parseExperiment(kNod, "my.ini").setup.is_clamped);
+  EXPECT_TRUE(parseExperiment(with(kNod, "pose = start", "pose = start\ntrunk = clamped"), "my.ini").setup.is_clamped);
+  EXPECT_THAT(refusal(with(kNod, "pose = start", "pose = start\ntrunk = glued")), HasSubstr("line 6"));
+}
+
 struct Wrong {
   const char *line, *instead;
   int number;  // of the line that is named

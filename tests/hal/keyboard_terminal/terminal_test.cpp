@@ -227,6 +227,11 @@ TEST_F(Terminal, IsRestoredAfterACrash) {
 }
 
 TEST_F(Terminal, IsRestoredAfterASignalThatEndsTheProgramAtOnce) {
+#ifdef __SANITIZE_THREAD__
+  // In a forked program the thread sanitizer's own thread may take the signal of the terminal, and keeps it for ever: 6
+  // of 160 runs did not end. With the other builds 300 of 300 did.
+  GTEST_SKIP() << "the sanitizer loses the signal";
+#endif
   start();
   ASSERT_TRUE(shows(kKeysFromTerminal)) << shown;
   type("\x1c");  // Ctrl-backslash

@@ -1,7 +1,6 @@
 // Synthetic motion files, and the vendor's file if available.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -12,14 +11,13 @@
 
 #include "managers/motion/page_file.hpp"
 #include "managers/motion/player.hpp"
+#include "support/shared_data.hpp"
 
 namespace darwinop::motion {
 
-#ifdef DARWINOP_SHARED
 /// The vendor's motion file; it is not part of this project and may be absent.
 inline std::filesystem::path vendorsFile() {
-  const char* const folder = std::getenv("DARWINOP_SHARED");
-  return std::filesystem::path{folder != nullptr ? folder : DARWINOP_SHARED} / "reference/data/motion_4096.bin";
+  return sharedData("reference/data/motion_4096.bin");
 }
 
 inline PageFile vendorsPages() {
@@ -27,7 +25,6 @@ inline PageFile vendorsPages() {
   const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{file}, {}};
   return decodePages(bytes);
 }
-#endif
 
 inline PageFile emptyFile() {
   return PageFile(kPages, emptyPage());

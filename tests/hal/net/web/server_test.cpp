@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <set>
 
@@ -212,10 +213,12 @@ int timesInMemory(const std::string& reversed) {
       const ssize_t size =
           pread(memory, piece.data(), std::min<unsigned long>(piece.size(), to - at), static_cast<off_t>(at));
       if (size <= 0) break;
-      for (auto found = piece.begin(), end = piece.begin() + size;; ++found) {
-        found = std::search(found, end, reversed.rbegin(), reversed.rend());
-        if (found == end) break;
-        const unsigned long place = at + static_cast<unsigned long>(found - piece.begin());
+      const char* end = piece.data() + size;
+      for (const char* found = piece.data();; ++found) {  // memchr(): std::search takes half a minute under sanitizers
+        found = static_cast<const char*>(std::memchr(found, reversed.back(), static_cast<std::size_t>(end - found)));
+        if (found == nullptr || static_cast<std::size_t>(end - found) < reversed.size()) break;
+        if (!std::equal(reversed.rbegin(), reversed.rend(), found)) continue;
+        const unsigned long place = at + static_cast<unsigned long>(found - piece.data());
         const auto own = reinterpret_cast<unsigned long>(piece.data());
         if (place < own || place >= own + piece.size()) ++times;
       }
