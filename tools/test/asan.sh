@@ -10,4 +10,5 @@ no_aslr
 builds
 rm -rf build/asan-ubsan/results
 run_tests asan -j "$places"
+measure_tests asan-real-time
 tools/pages.sh check build/asan-ubsan docs/hazards.md

@@ -63,7 +63,10 @@ start_background() { # STAGE...; runs those of $beside
 background_runs() { [ -n "${DARWINOP_AHEAD:-}" ] && jobs -rp | grep -qx "$DARWINOP_AHEAD"; }
 stop_background() {
   # Only while it runs: its number may belong to another process by now.
-  if background_runs; then { kill -- "-$DARWINOP_AHEAD" && wait "$DARWINOP_AHEAD"; } 2>/dev/null || :; fi
+  background_runs || return 0
+  kill -- "-$DARWINOP_AHEAD" 2>/dev/null || return 0
+  kill -CONT -- "-$DARWINOP_AHEAD" 2>/dev/null || :  # it may be stopped: tools/test/ctest.sh
+  wait "$DARWINOP_AHEAD" 2>/dev/null || :
 }
 # Nothing else is left to do: at full speed.
 finish_background() {

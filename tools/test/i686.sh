@@ -13,5 +13,5 @@ run_tests cross
 under=$programs/run-as-2.6.31
 "$under" "$programs/old_kernel_probe" old
 run_tests i686 -j "$places"
-run_tests i686-real-time
+measure_tests i686-real-time
 tests/robot/equal_numbers.sh build/release build/robot

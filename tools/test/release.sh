@@ -8,5 +8,5 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 builds
 run_tests release -j "$(nproc)"
-run_tests real-time
+measure_tests real-time
 tests/benchmarks/run.sh build/release cycle_instructions
