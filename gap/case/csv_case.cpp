@@ -96,6 +96,7 @@ FolderCase readCsvFolder(const RawFolder& request, const Declarations& declared,
   whole["logs"] = logs;
   const std::optional<std::string> order = declared.text("goal_order");
   if (order) whole["goal_order"] = *order;
+  if (const auto axis = declared.text("axis")) whole["axis"] = *axis;
   for (const auto& [column, encoding] : declared.encodings()) whole["encodings"][column] = encoding;
   for (const auto& [number, sigma] : declared.sigmas()) whole["prior_rel_sigma"][number] = sigma;
   const std::string name = (fs::path{request.folder} / "declared").string();

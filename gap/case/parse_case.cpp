@@ -88,9 +88,11 @@ void takeOrder(Fields& top, bool recording, Case& into) {
   into.goal_order = order;
 }
 
-}  // namespace
-
-namespace {
+/// An arm that turns about a vertical axis has inertia and no weight.
+void takeAxis(Fields& top, Case& into) {
+  const std::vector<std::string_view> words{"horizontal", "vertical"};
+  if (top.word("axis", words, 0) == 1) into.pendulum.gravity_m_s2 = 0;
+}
 
 /// Takes the rows of a log. What is wrong with it, if anything.
 std::optional<BadInput> fill(LogEntry& entry, Fields& top, const Encodings& raw, const CaseFiles& files, Case& into) {
@@ -163,6 +165,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   const Encodings raw = readEncodings(top);
   for (const LogEntry& entry : entries) out.logs.push_back(entry.head);
   readModelPart(top, files, entries.front().joint, out);
+  takeAxis(top, out);
   out.logs.clear();
   top.finish(out.warnings);
 

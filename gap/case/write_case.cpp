@@ -151,6 +151,7 @@ std::string caseAsJson(const Case& c, bool with_model_file) {
   } else {
     out["baseline"] = baselineOf(c);
   }
+  if (c.pendulum.gravity_m_s2 == 0) out["axis"] = "vertical";
   out["prior_rel_sigma"] = priorsOf(c);
   if (c.datasheet) out["servo_datasheet"] = datasheetOf(*c.datasheet);
   out["logs"] = logsOf(c);

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kMinJump = 1.0 / 64;  // firmware periods
 constexpr double kMinTorque = 1e-3;    // N m; avoids a division by 0 when the motor cannot lift its load
-constexpr double kMinInertia = 1e-6;   // kg m2, of the arm; an elastic transmission integrates the arm separately
 
 void check(double value, double low, const char* what) {
   if (std::isfinite(value) && value >= low) return;
@@ -99,7 +98,7 @@ void Bench::stepShaft(double h) noexcept {
 }
 
 void Bench::stepSoft(int steps) noexcept {
-  const double h = servo_.parameters().firmware_period_s / steps, arm_kgm2 = std::max(arm_kgm2_, kMinInertia);
+  const double h = servo_.parameters().firmware_period_s / steps, arm_kgm2 = transmission_.armInertia(arm_kgm2_);
   for (int i = 0; i < steps; ++i) {
     // Midpoint rule for gear side and arm.
     const double middle = position_ + velocity_ * h / 2, gravity = gravityAt(middle);

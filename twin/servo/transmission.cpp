@@ -18,6 +18,9 @@ constexpr double kMaxPhase = 0.25;
 constexpr double kMaxDamping = 0.25;
 constexpr int kMaxSteps = 1000;
 constexpr double kMinInertia = 1e-6;  // kg m2
+// Minimum inertia of an arm, as a share of the rotor's, which is known to 10 % at best. A massless arm follows the gears
+// anyway, but its oscillation at the teeth would set the step: 1000 sub-steps of a firmware period instead of 50.
+constexpr double kMinArmShare = 0.01;
 
 struct Spring {
   double stiffness, damping;
@@ -39,6 +42,10 @@ void Transmission::reset(double position_rad, double velocity_rad_s, double roto
   rotor_kgm2_ = std::max(rotor_kgm2, kMinInertia);
 }
 
+double Transmission::armInertia(double arm_kgm2) const noexcept {
+  return std::max(arm_kgm2, kMinArmShare * rotor_kgm2_);
+}
+
 Transmission::Contact Transmission::contact(const Signals& s, double gear, double gear_speed, double arm,
                                             double arm_speed) const noexcept {
   const double bend = beyondPlay(gear - arm, s.backlash_rad);
@@ -51,7 +58,7 @@ Transmission::Contact Transmission::contact(const Signals& s, double gear, doubl
 
 int Transmission::stepsFor(const Signals& s, double arm_kgm2, double dt_s) const noexcept {
   const auto [stiffness, damping] = spring(s);
-  const double inverse_inertia = 1 / rotor_kgm2_ + 1 / std::max(arm_kgm2, kMinInertia);
+  const double inverse_inertia = 1 / rotor_kgm2_ + 1 / armInertia(arm_kgm2);
   const double steps = std::max(std::sqrt(stiffness * inverse_inertia) * dt_s / kMaxPhase,
                                 damping * inverse_inertia * dt_s / kMaxDamping);
   return static_cast<int>(std::clamp(std::ceil(steps), 1.0, double{kMaxSteps}));
@@ -60,7 +67,7 @@ int Transmission::stepsFor(const Signals& s, double arm_kgm2, double dt_s) const
 double Transmission::step(Servo& servo, const ArmMotion& arm, double dt_s) noexcept {
   const Signals& s = servo.signals();
   const int steps = stepsFor(s, arm.inertia_kgm2, dt_s);
-  const double h = dt_s / steps, arm_kgm2 = std::max(arm.inertia_kgm2, kMinInertia);
+  const double h = dt_s / steps, arm_kgm2 = armInertia(arm.inertia_kgm2);
   double arm_rad = arm.position_rad, arm_speed = arm.velocity_rad_s, sum = 0;
   for (int i = 0; i < steps; ++i) {
     position_ += velocity_ * h / 2;

@@ -31,6 +31,9 @@ class Transmission {
   /// Encoder position, for Servo::firmware().
   [[nodiscard]] double encoderRad(const Signals& s, double arm_rad) const noexcept;
 
+  /// Inertia that an arm of `arm_kgm2` counts with: at least 1 % of the rotor's.
+  [[nodiscard]] double armInertia(double arm_kgm2) const noexcept;
+
   [[nodiscard]] double gearRad() const noexcept { return position_; }
   [[nodiscard]] double gearVelocity() const noexcept { return velocity_; }
   /// Of rotor and spring, J.

@@ -105,6 +105,17 @@ TEST_F(RawFolderTest, ACsvThatCannotBeUsedIsLeftOutToo) {
   EXPECT_THAT(usable.notes, Contains(testing::AllOf(HasSubstr(messages::kLeftOut), HasSubstr("stuck.csv"))));
 }
 
+TEST_F(RawFolderTest, AVerticalAxisIsDeclared) {
+  write(folder / "a.csv", csvOf(sineRows()));
+  const FolderCase usable =
+      readRawFolder({.folder = folder / "",
+                     .model = out / "model.ini",
+                     .declared = {"kp=32", "payload_kg=0.3", "length_m=0.17", "supply_V=12", "axis=vertical"},
+                     .held_out = {}});
+  EXPECT_EQ(usable.given.pendulum.gravity_m_s2, 0);
+  EXPECT_EQ(usable.given.pendulum.length_m, 0.17);
+}
+
 TEST_F(RawFolderTest, IsRefusedIfMoreThanATenthCannotBeUsed) {
   for (int i = 0; i < 8; ++i) addLog("a" + std::to_string(100 + i), 8, "0.5");
   write(folder / "broken.json", "{");

@@ -55,6 +55,7 @@ void expectRoundTrip(const Case& c) {
   EXPECT_EQ(twin::writeModel(back.model), twin::writeModel(c.model));
   EXPECT_EQ(back.pendulum.length_m, c.pendulum.length_m);
   EXPECT_EQ(back.pendulum.arm_mass_kg, c.pendulum.arm_mass_kg);
+  EXPECT_EQ(back.pendulum.gravity_m_s2, c.pendulum.gravity_m_s2);
   ASSERT_EQ(back.priors.size(), c.priors.size());
   for (std::size_t i = 0; i < c.priors.size(); ++i) {
     EXPECT_EQ(back.priors[i].number, c.priors[i].number);
@@ -91,6 +92,13 @@ TEST(WriteCase, ADataSheetAndTheSpeedLaw) {
   c.model.servo.law = twin::Law::kSpeedP;
   c.priors = {{"length", 0.01}};
   EXPECT_TRUE(fitsBaseline(c));
+  expectRoundTrip(c);
+}
+
+TEST(WriteCase, AVerticalAxis) {
+  const Case c = CaseTexts{}.with("\"logs\"", R"("axis": "vertical", "logs")").read();
+  EXPECT_EQ(c.pendulum.gravity_m_s2, 0);
+  EXPECT_GT(CaseTexts{}.read().pendulum.gravity_m_s2, 9);
   expectRoundTrip(c);
 }
 
