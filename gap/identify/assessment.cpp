@@ -173,7 +173,7 @@ Verdict verdictOf(const Identification& found) {
 
 // If much of the error remains, the effects found may stand for something else.
 Verdict verdictOfRough(const Identification& found, double mean_before_rad, double mean_after_rad) {
-  const bool mostly = mean_after_rad < thresholds::kRoughErrorShare * mean_before_rad;
+  const bool mostly = mean_after_rad < thresholds::kHopelessGapShare * mean_before_rad;
   return mostly && !found.effects.empty() ? namedOrAmbiguous(found) : Verdict::kUnknown;
 }
 

@@ -20,6 +20,7 @@ Identification frictionWithRival(double behind) {
 TEST(Remainder, ACloseRivalIsAmbiguousOnARoughBaselineToo) {
   EXPECT_EQ(verdictOfRough(frictionWithRival(0), 0.1, 0.01), Verdict::kAmbiguous);
   EXPECT_EQ(verdictOfRough(frictionWithRival(50), 0.1, 0.01), Verdict::kNamed);
+  EXPECT_EQ(verdictOfRough(frictionWithRival(50), 0.1, 0.04), Verdict::kNamed) << "with a remainder";
   EXPECT_EQ(verdictOfRough(frictionWithRival(0), 0.1, 0.05), Verdict::kUnknown) << "half of the error is left";
 }
 
