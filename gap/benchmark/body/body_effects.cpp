@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "core/text/nearest.hpp"
+#include "gap/benchmark/body/drawn_sizes.hpp"
+#include "gap/benchmark/body/outside_effects.hpp"
 #include "gap/identify/body/floor_effect.hpp"
 #include "gap/identify/body/mechanical_effect.hpp"
 #include "gap/identify/body/sensor_effect.hpp"
@@ -14,52 +15,9 @@
 namespace darwinop::gap {
 namespace {
 
-using Vector3 = std::vector<double>;
-/// Values by key, in the order of the effect's numbers.
-using Values = std::map<std::string, std::vector<double>>;
-
 // Ids that other suites use for what the catalogue of servos has.
 constexpr std::string_view kBusLatency = "bus_latency", kTransportDelay = "transport_delay",
                            kBattery = "battery_resistance";
-constexpr std::string_view kCable = "cable", kPush = "push", kLoose = "loose_part";
-
-Vector3 oneAxis(Rng& rng, double neutral, double low, double high) {
-  Vector3 out(3, neutral);
-  out[rng.below(3)] += rng.sign() * rng.between(low, high);
-  return out;
-}
-
-Vector3 drawnMap(Rng& rng) {
-  const Vector3 straight{1, 2, 3};
-  Vector3 map = straight;
-  while (map == straight) {
-    if (rng.coin()) rng.shuffle(map);
-    for (double& axis : map) axis = std::abs(axis) * (rng.uniform() < 0.3 ? -1 : 1);
-  }
-  return map;
-}
-
-/// So that recordings of some seconds show it.
-Values drawnFor(const std::string& id, Rng& rng) {
-  if (id == "gyro_bias") return {{"bias", oneAxis(rng, 0, 0.08, 0.25)}};
-  if (id == "accel_bias") return {{"bias", oneAxis(rng, 0, 0.25, 0.8)}};
-  if (id == "accel_scale") return {{"scale", oneAxis(rng, 1, 0.04, 0.1)}};
-  if (id == "gyro_scale") return {{"scale", oneAxis(rng, 1, 0.08, 0.3)}};
-  if (id == "imu_mounting") return {{"rotation", oneAxis(rng, 0, 0.04, 0.12)}};
-  if (id == "gyro_axes" || id == "accel_axes") return {{"map", drawnMap(rng)}};
-  if (id == "gyro_lowpass") return {{"time", {rng.between(0.012, 0.05)}}};
-  if (id == "gyro_range") return {{"range", {rng.between(0.3, 0.8)}}};
-  if (id == "imu_delay") return {{"delay", {rng.between(0.012, 0.05)}}};
-  if (id == "floor_friction") return {{"friction", {rng.between(0.15, 0.45)}}};
-  if (id == "contact_time") return {{"time", {rng.between(0.02, 0.05)}}};
-  if (id == "sole_size") return {{"scale", {rng.between(0.6, 0.85)}}};
-  if (id == "floor_tilt") {
-    Vector3 tilt{0, 0};
-    tilt[rng.below(2)] = rng.sign() * rng.between(0.02, 0.05);
-    return {{"tilt", tilt}};
-  }
-  throw std::logic_error("no size for " + id);
-}
 
 const SensorEffect* restingEffect(const std::string& id) {
   const auto all = sensorEffects();
@@ -97,7 +55,7 @@ void hideResting(const SensorEffect& effect, Rng& rng, BodyTruth& truth, BodyKey
 
 void hideMass(const std::string& id, Rng& rng, BodyTruth& truth, BodyKey& key) {
   const bool is_mass = id == "link_mass";
-  Vector3 shift = oneAxis(rng, 0, 0.01, 0.02);
+  std::vector<double> shift = oneAxis(rng, 0, 0.01, 0.02);
   const Eigen::Vector3d by{shift[0], shift[1], shift[2]};
   if (rng.uniform() < 0.4) {
     FloorChange& floor = truth.model.robot.floor;
@@ -150,35 +108,6 @@ void hideInJoints(const std::string& id, std::vector<Joint> joints, double stren
   key.effects.push_back({id, id == kBusLatency ? std::vector<std::string>{"all"} : at, of_key});
 }
 
-void hideOutside(const std::string& id, const BodyCase& plan, Rng& rng, BodyTruth& truth, BodyKey& key) {
-  key.is_outside = true;
-  if (id == kCable) {
-    constexpr std::array kPulled{Joint::kNeck, Joint::kHead, Joint::kArmLowerR, Joint::kArmLowerL};
-    const Joint joint = rng.pick(kPulled);
-    const double stiffness = rng.between(1, 2.5), from = rng.between(-0.1, 0.1), sign = rng.sign();
-    truth.outside =
-        Disturber{.joint = joint,
-                  .torque_nm = [=](double angle) { return -sign * stiffness * std::max(0.0, sign * (angle - from)); },
-                  .file = {}};
-    key.where = {std::string{row(joint).name}};
-  } else if (id == kPush) {
-    const double from = rng.between(0.8, 2), angle = rng.between(-kPi, kPi), size = rng.between(4, 7);
-    truth.outside = Disturber{.joint = {},
-                              .torque_nm = {},
-                              .file = plan.logs[4].file,
-                              .from_s = from,
-                              .to_s = from + 0.2,
-                              .push_n = {size * std::cos(angle), size * std::sin(angle), 0}};
-    key.where = {"Body"};
-  } else {
-    const Joint joint = rng.coin() ? Joint::kArmLowerR : Joint::kArmLowerL;
-    truth.loose = LinkChange{.link = joint, .mass_kg = rng.between(0.05, 0.09)};
-    truth.loose_from_s = plan.logs[3].session_start_s;
-    key.where = {std::string{row(joint).name}};
-  }
-  key.effects.push_back({id, key.where, {}});
-}
-
 std::vector<Joint> drawnJoints(BodyClass kind, Rng& rng) {
   std::vector<Joint> out;
   if (kind == BodyClass::kPair) {
@@ -205,7 +134,7 @@ const std::vector<BodyEffect>& bodyEffects() {
       for (const BodyClass kind : {BodyClass::kOneJoint, BodyClass::kPair, BodyClass::kAll}) add(effect.id, kind);
     }
     add(kBattery, BodyClass::kBus), add(kBusLatency, BodyClass::kBus);
-    for (const std::string_view id : {kCable, kPush, kLoose}) add(id, BodyClass::kOutside);
+    for (const std::string_view id : kOutsideEffects) add(id, BodyClass::kOutside);
     return out;
   }();
   return kAll;
