@@ -70,7 +70,7 @@ int examine(const std::string& asked, bool fix, bool json) {
   options.permitted = robot.permitted;
   probed = cm730::probe(*check.port, options);
   report.add(probed.findings);
-  if (probed.facts.board.readable && probed.facts.board.power_on) {
+  if (probed.facts.board.isKnown() && probed.facts.board.suppliesServos()) {
     report.begin("pose");
     report.add(connect::startPoseFindings(probed.facts));
   }

@@ -11,6 +11,7 @@
 
 #include "connect/imu_keys.hpp"
 #include "connect/messages.hpp"
+#include "core/board_models.hpp"
 #include "core/servo_models.hpp"
 #include "core/text/ini_text.hpp"
 #include "core/text/letter_case.hpp"
@@ -56,6 +57,16 @@ std::uint16_t modelNumber(std::string_view key, std::string_view value) {
   if (!number || *number < 0 || *number > 0xFFFF || *number != std::floor(*number))
     refuse("Robot", key, value, "give the model number that `darwinop doctor` prints, 0 to 65535");
   return static_cast<std::uint16_t>(*number);
+}
+
+/// True for "none": servos alone on an adapter.
+bool permitsNoBoard(std::string_view key, std::string_view value) {
+  if (lowered(value) != kNoBoard.name)
+    refuse(
+        "Robot", key, value,
+        "give none for servos on a USB2Dynamixel or U2D2 (no buttons, no inertial sensor); without this key a CM-730 "
+        "or CM-740 has to answer");
+  return true;
 }
 
 /// The items of "A, B" without blanks; an empty one where one is missing. Nothing: none.
@@ -159,12 +170,14 @@ class Reader final : public text::IniReader {
       file_.safety.absent = jointNames(key, value);
     else if (name == "board_model")
       file_.permitted.board_model = modelNumber(key, value);
+    else if (name == "board")
+      file_.permitted.no_board = permitsNoBoard(key, value);
     else if (name == "servo_models")
       file_.permitted.servo_models = servoModels(key, value);
     else
       refuse("Robot", key, value,
-             "no such key; there are port, camera, period_ms, group, controller_user, absent, board_model and "
-             "servo_models");
+             "no such key; there are port, camera, period_ms, group, controller_user, absent, board, board_model "
+             "and servo_models");
   }
 
   void takeOffset(std::string_view key, std::string_view value) {
@@ -253,6 +266,7 @@ std::string describe(const RobotFile& robot) {
   if (named > 0) text += ", " + std::to_string(named) + (named == 1 ? " setting" : " settings") + " of [Safety]";
   if (robot.permitted.board_model != RobotFile{}.permitted.board_model)
     text += ", board model " + std::to_string(robot.permitted.board_model);
+  if (robot.permitted.no_board) text += ", no board";
   if (!models.empty()) text += ", servo models:" + models;
   if (!absent.empty()) text += ", absent:" + absent;
   if (!limits.empty()) text += ", narrowed:" + limits;

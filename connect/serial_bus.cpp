@@ -38,9 +38,9 @@ std::string names(const char* before, const std::bitset<kJoints>& joints) {
 }
 
 std::string describe(const SerialRobot& robot, const cm730::RobotFacts& facts, const safety::Config& safety) {
-  return robot.port + " (" + cm730::boardName(facts.board) + " firmware " + std::to_string(facts.board.firmware) +
-         ", " + std::to_string(servosFound(facts)) + " servos" + names("; absent: ", safety.absent) +
-         names("; not driven: ", safety.left_out) + ")";
+  const std::string firmware = facts.board.absent ? std::string{} : " firmware " + std::to_string(facts.board.firmware);
+  return robot.port + " (" + cm730::boardName(facts.board) + firmware + ", " + std::to_string(servosFound(facts)) +
+         " servos" + names("; absent: ", safety.absent) + names("; not driven: ", safety.left_out) + ")";
 }
 
 cm730::ProbeOptions probeOptions(const SerialRobot& robot) {
@@ -58,9 +58,8 @@ cm730::ProbeOptions probeOptions(const SerialRobot& robot) {
 std::string stiffServos(const cm730::RobotFacts& facts) {
   const auto stiff = std::ranges::count_if(facts.servo, [](const auto& s) { return s.readable && s.torque_on; });
   if (stiff == 0) return {};
-  return std::to_string(stiff) +
-         " servos hold their joints, and nothing watches them: hold the robot and press RESET on its back (all servos "
-         "go limp)\n";
+  return std::to_string(stiff) + " servos hold their joints, and nothing watches them: hold the robot and " +
+         (facts.board.absent ? "cut the servos' supply" : "press RESET on its back") + " (all servos go limp)\n";
 }
 
 cm730::ProbeReport check(ByteLine& line, const SerialRobot& robot, cm730::Purpose purpose) {
@@ -129,6 +128,7 @@ OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose) {
   config.fixed_block_length = !checked.facts.instructions.all_blocks;
   config.stall = stallTorques(checked.facts);
   config.imu = cm730::ImuCorrection{robot.imu};
+  config.board = !checked.facts.board.absent;
   opened.bus = std::make_unique<OwnedBus<cm730::SerialPort>>(std::move(line), config);
   return opened;
 }

@@ -53,6 +53,8 @@ struct JointSensors {
 };
 
 struct BoardSensors {
+  /// Servos alone on an adapter: nothing here is ever received, and servo power is unknown.
+  bool absent = false;
   Freshness motion;                           // age of all values here
   std::array<RadPerSec, 3> gyro;              // x, y, z, rad/s
   std::array<MeterPerSec2, 3> accelerometer;  // x, y, z, m/s2; upright 0, 0, +9.8
@@ -107,6 +109,7 @@ struct Sensors {
   std::int64_t slack_ns = 0;         // time left before the next release, of the previous cycle
   std::uint32_t overruns = 0;        // cycles that ended after the next release, cumulative
   std::array<JointSensors, kJoints> joint{};
+  Freshness bus;  // age of the last answer that shows a working line: the board's, without a board the first servo's
   BoardSensors board{};
   LinkCounters link{};
   WireFigures wire{};

@@ -31,6 +31,7 @@ struct ServoReading {
 
 /// Readings of the board. Fields are of this cycle if `answered` is true, else undefined.
 struct BoardReading {
+  bool absent = false;  // there is none; set in every cycle
   bool answered = false;
   std::array<RadPerSec, 3> gyro;
   std::array<MeterPerSec2, 3> accelerometer;
@@ -46,6 +47,7 @@ struct BoardReading {
 struct BusReadings {
   std::array<ServoReading, kJoints> servo{};
   BoardReading board{};
+  bool servos_answered = false;  // without a board: the servo that was read first has answered
   WireFigures wire{};
   LinkCounters link{};
   std::bitset<kJoints> silent;  // omitted from the read list, retried periodically
@@ -53,7 +55,7 @@ struct BusReadings {
   /// Clears the flags; all other fields keep their values of earlier cycles.
   void forget() noexcept {
     for (ServoReading& one : servo) one.answered = one.polled = false;
-    board.answered = false;
+    board.answered = servos_answered = false;
   }
 };
 

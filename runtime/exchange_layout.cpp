@@ -56,14 +56,14 @@ DARWINOP_LAYOUT(Commands, joint, led, session, sequence, made_ns, end_of_session
 DARWINOP_LAYOUT(Freshness, age);
 DARWINOP_LAYOUT(JointSensors, motion, position, velocity, load, error_bits, polled, voltage, temperature, torque_limit,
                 goal, speed_limit, torque_enabled, commanded, driven);
-DARWINOP_LAYOUT(BoardSensors, motion, gyro, accelerometer, buttons, buttons_known, voltage, microphone_left,
+DARWINOP_LAYOUT(BoardSensors, absent, motion, gyro, accelerometer, buttons, buttons_known, voltage, microphone_left,
                 servo_power, led_panel, led_head, led_eye, error_bits);
 DARWINOP_LAYOUT(LinkCounters, exchanges, incomplete, retries, bad_checksums, garbage_bytes, late_replies, reconnects,
                 clamped_goals);
 DARWINOP_LAYOUT(WireFigures, bytes_out, bytes_in, wire_ns, bus_ns);
 DARWINOP_LAYOUT(SafetyReport, state, active, worst, worst_joint, reaction, limit_hits, controller_must_end, session,
                 tripped, missed_start, start_timeouts);
-DARWINOP_LAYOUT(Sensors, cycle, time_ns, period_ns, wake_latency_ns, slack_ns, overruns, joint, board, link, wire,
+DARWINOP_LAYOUT(Sensors, cycle, time_ns, period_ns, wake_latency_ns, slack_ns, overruns, joint, bus, board, link, wire,
                 safety, silent);
 
 DARWINOP_LAYOUT(LoopInfo, period_ns, pid, robot, port, safety, safety_named);

@@ -44,11 +44,25 @@ void mergeBoard(const BoardReading& reading, BoardSensors& board) noexcept {
   board.error_bits = reading.error_bits;
 }
 
+/// The board's values stay unknown: its age stays "never".
+[[gnu::cold, gnu::noinline]] void mergeWithoutBoard(const BusReadings& readings, Sensors& sensors) noexcept {
+  sensors.board.absent = true;
+  if (readings.servos_answered)
+    sensors.bus.received();
+  else
+    sensors.bus.missed();
+}
+
 }  // namespace
 
 void merge(const BusReadings& readings, Sensors& sensors) noexcept {
   for (std::size_t i = 0; i < kJoints; ++i) mergeJoint(readings.servo[i], sensors.joint[i]);
-  mergeBoard(readings.board, sensors.board);
+  if (readings.board.absent) {
+    mergeWithoutBoard(readings, sensors);
+  } else {
+    mergeBoard(readings.board, sensors.board);
+    sensors.bus = sensors.board.motion;
+  }
   sensors.link = readings.link;
   sensors.wire = readings.wire;
   sensors.silent = readings.silent;

@@ -30,19 +30,32 @@ BoardWatch::BoardWatch(const Config& config)
       empty_{milliseconds{2000}, milliseconds{2000}},
       fell_{milliseconds{500}, milliseconds{500}},
       released_{kPress, milliseconds{0}},
-      start_{kPress, milliseconds{0}} {
+      start_{kPress, milliseconds{0}},
+      supply_{config.held_before} {
   allowPower();
 }
 
-void BoardWatch::update(const BoardSensors& seen, bool waits, Nanos dt) noexcept {
-  lost_now_ = start_now_ = false;
-  for (Nanos& since : since_) since = std::min(since + dt, kRepowerWindow);
-  answers_now_ = seen.motion.fresh();
-  if (seen.motion.ever())
-    missed_ = seen.motion.age;
+inline void BoardWatch::noteReply(const Freshness& link) noexcept {
+  answers_now_ = link.fresh();
+  if (link.ever())
+    missed_ = link.age;
   else if (missed_ <= kAnswerPatience)
     ++missed_;
-  online_ = seen.motion.ever() && missed_ <= kAnswerPatience;
+  online_ = link.ever() && missed_ <= kAnswerPatience;
+}
+
+inline void BoardWatch::watchBattery(double volt, Nanos dt) noexcept {
+  // NaN fails every comparison: unknown is not a fault
+  low_.update(volt<config_.battery_low, volt> config_.battery_low + kBatteryHysteresis, dt);
+  empty_.update(volt<config_.battery_empty, volt> config_.battery_empty + kBatteryHysteresis, dt);
+}
+
+void BoardWatch::update(const Sensors& image, bool waits, Nanos dt) noexcept {
+  if (image.board.absent) return updateWithoutBoard(image, dt);
+  const BoardSensors& seen = image.board;
+  lost_now_ = start_now_ = false;
+  for (Nanos& since : since_) since = std::min(since + dt, kRepowerWindow);
+  noteReply(seen.motion);
   if (!online_) {
     powered_ = false;
     power_off_.forget();
@@ -51,13 +64,22 @@ void BoardWatch::update(const BoardSensors& seen, bool waits, Nanos dt) noexcept
   if (!answers_now_) return;  // timers count only cycles in which the board replies
 
   watchPower(seen);
-  const double volt = seen.voltage.value;  // NaN fails every comparison: unknown is not a fault
-  low_.update(volt<config_.battery_low, volt> config_.battery_low + kBatteryHysteresis, dt);
-  empty_.update(volt<config_.battery_empty, volt> config_.battery_empty + kBatteryHysteresis, dt);
+  watchBattery(seen.voltage.value, dt);
   watchTilt(seen, dt);
   const bool pressed = config_.release_button == ReleaseButton::kMode && (seen.buttons & kModeButton) != 0;
   released_.update(pressed, !pressed, dt);
   watchStart((seen.buttons & kStartButton) != 0, waits, dt);
+}
+
+/// Servos that reply have power. Whether it was interrupted is known once they were polled.
+void BoardWatch::updateWithoutBoard(const Sensors& seen, Nanos dt) noexcept {
+  absent_ = true;
+  noteReply(seen.bus);
+  powered_ = online_;
+  powered_for_ = powered_ ? powered_for_ + dt : Nanos{0};
+  supply_.update(seen, dt);
+  lost_now_ = supply_.interruptedNow();
+  if (answers_now_) watchBattery(supply_.voltage(), dt);
 }
 
 void BoardWatch::watchPower(const BoardSensors& seen) noexcept {

@@ -1,4 +1,5 @@
-// Conditions derived from the board's readings: online, servo power, battery, tilt, buttons.
+// Conditions derived from the board's readings: online, servo power, battery, tilt, buttons. Without a board from the
+// servos' readings, as far as they show them: no tilt, no buttons, and servo power is unknown.
 #pragma once
 
 #include <array>
@@ -7,6 +8,7 @@
 #include "core/sensors.hpp"
 #include "safety/config.hpp"
 #include "safety/debounce.hpp"
+#include "safety/supply_watch.hpp"
 
 namespace darwinop::safety {
 
@@ -15,25 +17,27 @@ class BoardWatch {
   explicit BoardWatch(const Config& config);
 
   /// Once a cycle. `waits`: the robot waits for a person; only then does START count.
-  void update(const BoardSensors& seen, bool waits, Nanos dt) noexcept;
+  void update(const Sensors& seen, bool waits, Nanos dt) noexcept;
 
+  /// There is no board: the functions below that name it are about the servo that is read first.
+  [[nodiscard]] bool absent() const noexcept { return absent_; }
   /// The board replied at most kAnswerPatience cycles ago.
   [[nodiscard]] bool online() const noexcept { return online_; }
   [[nodiscard]] bool answersNow() const noexcept { return answers_now_; }
   /// The board has not replied for more than kAnswerPatience cycles, counted from the first cycle.
   [[nodiscard]] bool silent() const noexcept { return missed_ > kAnswerPatience; }
-  /// The servos have power; for how long.
+  /// The servos have power; for how long. Without a board: they reply.
   [[nodiscard]] bool powered() const noexcept { return powered_; }
   [[nodiscard]] Nanos poweredFor() const noexcept { return powered_for_; }
   /// The servos had power and lost it; confirmed by two replies in a row.
   [[nodiscard]] bool powerLost() const noexcept { return online_ && lost_; }
   /// Servo power is off, by two replies in a row, whether it was on before or not.
   [[nodiscard]] bool powerOff() const noexcept { return power_off_.on(); }
-  /// True in the cycle that confirms the loss of power.
+  /// True in the cycle that confirms the loss of power. Without a board: that shows that it was lost and is back.
   [[nodiscard]] bool powerLostNow() const noexcept { return lost_now_; }
   /// Servo power is to be switched on.
   [[nodiscard]] bool wantsPower() const noexcept {
-    return online_ && !power_bit_ && (lost_ || !had_power_) && !withheld_;
+    return !absent_ && online_ && !power_bit_ && (lost_ || !had_power_) && !withheld_;
   }
   /// Power was lost too often: it stays off until allowPower().
   [[nodiscard]] bool powerWithheld() const noexcept { return withheld_; }
@@ -53,6 +57,9 @@ class BoardWatch {
   static constexpr Nanos kRepowerWindow{std::chrono::seconds{60}};
 
  private:
+  [[gnu::cold, gnu::noinline]] void updateWithoutBoard(const Sensors& seen, Nanos dt) noexcept;
+  void noteReply(const Freshness& link) noexcept;
+  void watchBattery(double volt, Nanos dt) noexcept;
   void watchPower(const BoardSensors& seen) noexcept;
   void losePower() noexcept;
   void watchStart(bool pressed, bool waits, Nanos dt) noexcept;
@@ -61,12 +68,13 @@ class BoardWatch {
   const Config& config_;
   std::uint32_t missed_ = 0;
   bool online_ = false, answers_now_ = false, powered_ = false, had_power_ = false, power_bit_ = false;
-  bool lost_ = false, lost_now_ = false, withheld_ = false;
+  bool lost_ = false, lost_now_ = false, withheld_ = false, absent_ = false;
   bool start_was_up_ = false, start_now_ = false;
   Nanos powered_for_{0};
   std::array<Nanos, kRepowers> since_{};  // time since the last losses of power, latest first
   Confirm power_off_;
   Debounce low_, empty_, fell_, released_, start_;
+  SupplyWatch supply_;
 };
 
 /// Angle between the trunk and the vertical, deg; NaN if acceleration is unknown or too small (free fall).

@@ -83,13 +83,15 @@ void Guard::clearFaults() noexcept {
 void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
   // While power is withheld nothing can move in any state: a session may have begun since.
   const bool released = latchedFault(faults_.all()) != Fault::kNone && !drives(state_);
-  board_.update(seen.board, released || board_.powerWithheld(), dt);
+  board_.update(seen, released || board_.powerWithheld(), dt);
   if (board_.startPressed()) clearFaults();
   for (std::size_t i = 0; i < kJoints; ++i) joints_[i].observe(seen.joint[i], seen.silent[i], board_.poweredFor(), dt);
   watchHold();
-  if (!board_.powerLost()) return;
-  holding_up_ = false;
-  for (JointGuard& joint : joints_) joint.losePower();
+  // Without a board an outage may have been one of the supply: only polls after it show who has torque.
+  const bool unseen = board_.absent() && !board_.online();
+  if (!board_.powerLost() && !unseen) return;
+  if (!unseen) holding_up_ = false;
+  for (JointGuard& joint : joints_) joint.forgetTorque();
 }
 
 /// Pressing RESET releases the robot. It counts as a fault if joints may have been held when power was lost: a torque

@@ -45,11 +45,13 @@ std::optional<Event> Guard::findEvent() const noexcept {
 }
 
 /// Servos keep their torque when the process that drives them dies. Before the first session, the robot counts as limp
-/// only once every servo that replies has been polled.
+/// only once every servo that replies has been polled. Without a board a session waits for this too: a poll may show
+/// that the supply was interrupted under torque, and then a person has to act first.
 std::optional<Event> Guard::findEventOffline() const noexcept {
   if (!board_.answersNow()) return std::nullopt;
-  if (anyStiff() || holding_up_) return Event::kStiffSeen;
   const bool polled = !board_.powered() || allKnown() || polling_for_ > 2 * kPollRound;
+  if (board_.absent() && !polled) return std::nullopt;
+  if (anyStiff() || holding_up_) return Event::kStiffSeen;
   return polled || driver_.present() ? std::optional{Event::kBoardFound} : std::nullopt;
 }
 

@@ -48,8 +48,8 @@ class JointGuard {
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
   /// The servo was polled since it replies; or it does not reply, and its torque cannot be known.
   [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
-  /// Servo power is off, and with it the torque.
-  void losePower() noexcept { stiff_ = torque_known_ = false; }
+  /// Servo power is off, and with it the torque; or may have been.
+  void forgetTorque() noexcept { stiff_ = torque_known_ = false; }
   /// Requested reset: a servo that shut itself off may be driven again.
   void resetTrip() noexcept;
 

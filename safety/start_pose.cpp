@@ -56,6 +56,7 @@ StartPoseCheck checkStartPose(const Sensors& seen) noexcept {
     if (!(std::abs(off) <= kStartPoseTolerance + kRadPerTick / 1000))
       result.off[result.off_count++] = {joint, position, start, off};
   }
+  result.without_board = seen.board.absent;
   result.upright = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (recent(seen.board.motion)) result.acceleration[axis] = seen.board.accelerometer[axis];
@@ -70,6 +71,7 @@ std::string describe(const StartPoseCheck& check) {
   std::string text;
   for (std::size_t i = 0; i < check.off_count; ++i) describeJoint(text, check.off[i]);
   if (check.upright) return text;
+  if (check.without_board) return text + kOrientationUnknown + ": without a board nothing measures it\n";
   const auto& a = check.acceleration;
   if (!a[0].known() || !a[1].known() || !a[2].known())
     text += kOrientationUnknown + std::string{": the board has not reported its acceleration\n"};

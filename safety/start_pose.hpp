@@ -36,6 +36,7 @@ struct StartPoseCheck {
   std::size_t off_count = 0;
   std::array<MeterPerSec2, 3> acceleration{};  // as measured; NaN: not known
   bool upright = false;
+  bool without_board = false;  // nothing measures the acceleration
 
   [[nodiscard]] bool secure() const noexcept { return off_count == 0 && upright; }
 };

@@ -1,4 +1,6 @@
 // Table of the robot's devices, in the order of getDeviceByIndex(), with the names of getDevice().
+#include <vector>
+
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
 #include "webots/Gyro.hpp"
@@ -29,6 +31,19 @@ void RobotImpl::addDevices() {
   add(new webots::Speaker("Speaker", *this));
   add(new webots::TouchSensor("ButtonMode", *this, 1));
   add(new webots::TouchSensor("ButtonStart", *this, 2));
+}
+
+/// Servos alone on an adapter: what only a board has does not exist, as on a robot of the simulator without it.
+void RobotImpl::removeDevicesOfBoard() {
+  std::erase_if(devices_, [this](const auto& device) {
+    const webots::Device* const one = device.get();
+    const bool of_board = dynamic_cast<const webots::Accelerometer*>(one) != nullptr ||
+                          dynamic_cast<const webots::Gyro*>(one) != nullptr ||
+                          dynamic_cast<const webots::LED*>(one) != nullptr ||
+                          dynamic_cast<const webots::TouchSensor*>(one) != nullptr;
+    if (of_board) by_name_.erase(one->getName());
+    return of_board;
+  });
 }
 
 }  // namespace darwinop::webots_api

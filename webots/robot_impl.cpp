@@ -75,6 +75,7 @@ void RobotImpl::add(webots::Device* device) {
 
 std::string RobotImpl::begin() {
   std::string sentence = session_.begin(commands_);
+  if (session_.sensors().board.absent) removeDevicesOfBoard();
   refresh();
   return sentence;
 }

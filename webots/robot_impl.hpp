@@ -98,6 +98,7 @@ class RobotImpl {
 
  private:
   void addDevices();  // devices.cpp
+  void removeDevicesOfBoard();
   void add(webots::Device* device);
   void addLentGain(std::size_t joint);
   void takeMotors(int ms);

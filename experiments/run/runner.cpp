@@ -35,7 +35,7 @@ Runner::Runner(webots::Robot& robot, const Experiment& experiment, const std::at
     joints_[i].sensor->enable(step_ms_);
     joints_[i].goal = startPose()[i];
   }
-  robot.getAccelerometer("Accelerometer")->enable(step_ms_);
+  if (auto* const accelerometer = robot.getAccelerometer("Accelerometer")) accelerometer->enable(step_ms_);
 }
 
 RunOutcome Runner::run() {
@@ -174,7 +174,8 @@ bool Runner::step() {
     if (!joint.pushed) joint.motor->setPosition(joint.goal);
   on_step_(phase_, now());
   if (robot_.step(step_ms_) == -1) ended_ = true;
-  if (!experiment_.setup.is_clamped) fall_.update(robot_.getAccelerometer("Accelerometer")->getValues(), step_s_);
+  auto* const accelerometer = robot_.getAccelerometer("Accelerometer");
+  if (!experiment_.setup.is_clamped && accelerometer != nullptr) fall_.update(accelerometer->getValues(), step_s_);
   return !ended_;
 }
 

@@ -20,9 +20,11 @@ Cm730Bus::Cm730Bus(ByteLine& line, const BusConfig& config)
     : line_{line},
       config_{config},
       goals_{config.offsets, config.stall},
-      list_{config.period, config.polls(), config.absent},
-      decoder_{config.offsets, config.stall, config.imu},
-      tag_{config.fixed_block_length} {}
+      list_{config.period, config.polls(), config.absent, config.board},
+      decoder_{config.offsets, config.stall, config.imu, config.board},
+      tag_{config.fixed_block_length, config.board} {
+  if (!config.board) list_.missedAll();  // only polls show whether the servos have restarted
+}
 
 void Cm730Bus::send(Bytes frame) noexcept {
   if (!wrote_) began_ = line_.now();
@@ -46,14 +48,22 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
   if (const Bytes more = goals_.takeSecond(); !more.empty()) send(more);
 }
 
+/// If the board does not reply, only the board is read: the servos' replies would be lost as well. Without a board,
+/// only one servo.
+inline std::span<const ReadList::Entry> Cm730Bus::nextList() noexcept {
+  if (silent_cycles_ < kCyclesUntilRest) [[likely]]
+    return list_.next();
+  return config_.board ? std::span<const ReadList::Entry>{} : list_.nextAlone();
+}
+
 void Cm730Bus::read(BusReadings& readings) noexcept {
   readings.forget();
+  readings.board.absent = !config_.board;
   if (!restThisCycle()) {
-    // If the board does not reply, only the board is read: the servos' replies would be lost as well.
-    const auto list = silent_cycles_ >= kCyclesUntilRest ? std::span<const ReadList::Entry>{} : list_.next();
+    const auto list = nextList();
     line_.discardInput();
     reader_.clear();
-    decoder_.begin(list, tag_.boardBytes(), readings);
+    decoder_.begin(list, tag_.bytes(), readings);
     const std::size_t asked = sendRequest(list);
     receive(began_ + wireTime(asked));
     wire_.bus_ns = (line_.now() - began_).count();
@@ -89,7 +99,12 @@ bool Cm730Bus::restThisCycle() noexcept {
 /// Returns the number of bytes sent before the first reply.
 std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcept {
   BulkReadEncoder request{frame_};
-  request.add(kBoardId, kBoardWindow.address, tag_.boardBytes());
+  if (config_.board) {
+    request.add(kBoardId, kBoardWindow.address, tag_.bytes());
+  } else if (!list.empty()) {
+    request.add(servoId(list[0].joint), taggedPoll(tag_.bytes()).address, tag_.bytes());
+    list = list.subspan(1);
+  }
   for (const ReadList::Entry entry : list) {
     const RegisterWindow window = kServoWindows[entry.poll];
     request.add(servoId(entry.joint), window.address, window.count);
@@ -122,8 +137,10 @@ void Cm730Bus::learn(std::span<const ReadList::Entry> list) noexcept {
   if (!decoder_.complete() || decoder_.answered().count() != list.size()) ++link_.incomplete;
   // A late reply of a servo arrives before the board's next reply and is discarded there; a late reply of the board
   // could be taken for the reply to the next request.
-  tag_.note(!decoder_.boardAnswered());
-  if (!decoder_.boardAnswered()) {
+  tag_.note(!decoder_.firstAnswered());
+  if (!config_.board) [[unlikely]]
+    return learnWithoutBoard();
+  if (!decoder_.firstAnswered()) {
     list_.missedAll();
     ++silent_cycles_;
     return;
@@ -139,10 +156,26 @@ void Cm730Bus::learn(std::span<const ReadList::Entry> list) noexcept {
   }
 }
 
+/// A servo boots in about 0.2 s, so a supply that was interrupted shows as silence, after which every EEPROM has to be
+/// locked again. Settings need not be forgotten: safety drives no joint by then.
+void Cm730Bus::learnWithoutBoard() noexcept {
+  if (!decoder_.firstAnswered()) {
+    list_.missedAll();
+    list_.leaderMissed();
+    if (++silent_cycles_ == kCyclesUntilRest) list_.forgetSilent();
+    return;
+  }
+  if (silent_cycles_ >= kCyclesUntilRest) locks_due_ = kLocks;
+  silent_cycles_ = 0;
+  list_.leaderAnswered();
+  list_.answered(decoder_.answered());
+  list_.powerIsOn();
+}
+
 /// Writes LEDs and servo power if they differ from what the board reports, so a lost write or a board reset is
 /// corrected. Sent after the replies, when the line is idle; does not wait for the acknowledgement.
 void Cm730Bus::sendBoardWrite() noexcept {
-  if (!decoder_.boardAnswered()) return;
+  if (!config_.board || !decoder_.firstAnswered()) return;
   if (board_write_wait_ > 0 && --board_write_wait_ > 0) return;
   std::array<std::uint8_t, 16> buffer{};
   Bytes frame;

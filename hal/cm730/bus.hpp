@@ -1,4 +1,5 @@
-// The CM-730 and its twenty servos as a ServoBus: one SyncWrite, one BulkRead, over any byte line.
+// The CM-730 and its twenty servos, or the servos alone, as a ServoBus: one SyncWrite, one BulkRead, over any byte
+// line.
 #pragma once
 
 #include <algorithm>
@@ -33,12 +34,13 @@ struct BusConfig {
   bool fixed_block_length = false;   // request_tag.hpp
   StallTorques stall{};
   ImuCorrection imu{};
+  bool board = true;  // false: servos alone on an adapter; the servo read first takes the board's place
 
   /// The longest margin that the period permits beside kFullCycle. At 8 ms a missing reply can make its cycle overrun;
   /// a shorter margin would take late USB frames for missing replies.
   static constexpr BusConfig forPeriod(Nanos period, const JointOffsets& offsets = {}) {
-    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, {}, false, {},
-            {}};
+    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, {}, false, {}, {},
+            true};
   }
   /// Maximum number of servos polled in one cycle: as many as fit into the period beside a full cycle and a missing
   /// reply, at least four.
@@ -62,7 +64,9 @@ class Cm730Bus final : public ServoBus {
  private:
   std::size_t sendRequest(std::span<const ReadList::Entry> list) noexcept;
   void receive(Nanos request_done) noexcept;
+  [[nodiscard, gnu::always_inline]] std::span<const ReadList::Entry> nextList() noexcept;
   void learn(std::span<const ReadList::Entry> list) noexcept;
+  [[gnu::cold, gnu::noinline]] void learnWithoutBoard() noexcept;
   using LedBytes = std::array<std::uint8_t, 5>;
   void sendBoardWrite() noexcept;
   [[nodiscard]] std::optional<LedBytes> ledsToWrite() const noexcept;
@@ -82,7 +86,7 @@ class Cm730Bus final : public ServoBus {
   LinkCounters link_{};
   Nanos began_{0};
   bool wrote_ = false;
-  std::uint32_t silent_cycles_ = 0;  // in a row without a reply of the board
+  std::uint32_t silent_cycles_ = 0;  // in a row without a reply of the board, or of the first servo
   std::uint32_t reconnects_seen_ = 0;
   LedCommand led_wanted_{};
   bool power_wanted_ = false;

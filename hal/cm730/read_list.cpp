@@ -17,8 +17,8 @@ constexpr Nanos kBootTime{300'000'000};
 
 }  // namespace
 
-ReadList::ReadList(Nanos period, std::size_t polls, const Mask& absent)
-    : polls_{polls}, absent_{absent}, boot_cycles_{static_cast<std::uint32_t>(kBootTime / period) + 1} {}
+ReadList::ReadList(Nanos period, std::size_t polls, const Mask& absent, bool board)
+    : polls_{polls}, board_{board}, absent_{absent}, boot_cycles_{static_cast<std::uint32_t>(kBootTime / period) + 1} {}
 
 std::span<const ReadList::Entry> ReadList::next() noexcept {
   length_ = 0;
@@ -30,10 +30,52 @@ std::span<const ReadList::Entry> ReadList::next() noexcept {
   append(asked & doubtful & ~missed_);
   append(again);
   retries_ += static_cast<std::uint32_t>(again.count());
+  if (!board_) placeLeader();
   pollInTurn();
   appendProbe();
   choosePolls();
   return {list_.data(), length_};
+}
+
+std::span<const ReadList::Entry> ReadList::nextAlone() noexcept {
+  next();
+  length_ = std::min(length_, std::size_t{1});
+  listed_.reset();
+  if (length_ > 0) listed_.set(list_[0].joint);
+  polled_ = listed_;
+  return {list_.data(), length_};
+}
+
+void ReadList::placeLeader() noexcept {
+  if (length_ == 0) return;
+  const auto end = list_.begin() + static_cast<std::ptrdiff_t>(length_);
+  if (passed_.any()) {
+    const auto chainPassed = [this](const Entry& entry) {
+      return jointsThat(passed_, [&](std::size_t i) { return kJointTable[i].chain == kJointTable[entry.joint].chain; })
+          .any();
+    };
+    auto leader = std::find_if_not(list_.begin(), end, chainPassed);
+    if (leader == end) leader = std::find_if(list_.begin(), end, [this](const Entry& e) { return !passed_[e.joint]; });
+    if (leader == end) {
+      passed_.reset();
+      leader = list_.begin();
+    }
+    std::rotate(list_.begin(), leader, std::next(leader));
+  }
+  list_[0].poll = true;
+  polled_.set(list_[0].joint);
+}
+
+void ReadList::leaderMissed() noexcept {
+  if (length_ == 0) return;
+  passed_.set(list_[0].joint);
+  suspected_.set(list_[0].joint);
+}
+
+void ReadList::forgetSilent() noexcept {
+  silent_.reset();
+  missed_.reset();
+  misses_.fill(0);
 }
 
 void ReadList::append(const Mask& joints) noexcept {

@@ -4,6 +4,9 @@
 // that did not reply is moved to the end of the next list, where it affects no other; if it stays silent it is removed
 // and retried periodically, at the end of the list.
 //
+// Without a board the first servo of the list opens the exchange (reply_decoder.hpp). If it is silent, nothing is known
+// about the others: the next list begins with a servo of another chain.
+//
 // Each cycle polls one servo (round robin). A servo that missed a reply is polled as soon as it replies again, because
 // it may have restarted; it gets no goals before that. A servo about to get torque is polled as well.
 #pragma once
@@ -27,8 +30,8 @@ class ReadList {
   using Mask = std::bitset<kJoints>;
 
   /// `period` of the loop, to convert times to cycles. `polls`: maximum number of polls per cycle besides the
-  /// round-robin one. `absent`: never read.
-  explicit ReadList(Nanos period, std::size_t polls = kJoints, const Mask& absent = {});
+  /// round-robin one. `absent`: never read. Without a `board` the first servo is always polled.
+  explicit ReadList(Nanos period, std::size_t polls = kJoints, const Mask& absent = {}, bool board = true);
 
   /// Servos to read in this cycle, in order. The board is always read first and is not part of the list.
   std::span<const Entry> next() noexcept;
@@ -39,8 +42,17 @@ class ReadList {
   /// Servos of the last list that replied. Call only if the board replied; otherwise the result says nothing about
   /// servos.
   void answered(const Mask& who) noexcept;
-  /// The board did not reply.
+  /// The board did not reply; without a board the first servo.
   void missedAll() noexcept { due_.set(); }
+
+  // -- without a board
+  /// As next(), but the first servo only.
+  std::span<const Entry> nextAlone() noexcept;
+  /// The first servo of the last list replied, or did not.
+  void leaderAnswered() noexcept { passed_.reset(); }
+  void leaderMissed() noexcept;
+  /// No servo has replied for some cycles: each is asked again, also those that were silent before.
+  void forgetSilent() noexcept;
 
   /// Servo power is off: no servo is read until kBootTime after power returns.
   void powerIsOff() noexcept;
@@ -56,6 +68,7 @@ class ReadList {
 
  private:
   void append(const Mask& joints) noexcept;
+  void placeLeader() noexcept;
   void appendProbe() noexcept;
   void choosePolls() noexcept;
   void pollInTurn() noexcept;
@@ -66,6 +79,8 @@ class ReadList {
   std::array<Entry, kJoints> list_{};
   std::size_t length_ = 0;
   std::size_t polls_;
+  bool board_;
+  Mask passed_;           // without a board: the first servos of the lists since the last reply
   Mask listed_, polled_;  // in the list; of these, polled
   Mask silent_, absent_;
   Mask suspected_;                                 // behind the faulty servo on its chain, no reply since

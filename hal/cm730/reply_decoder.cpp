@@ -44,33 +44,36 @@ constexpr Register kTorqueEnable = find(kMx28, "torque_enable");
 
 }  // namespace
 
-void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes,
+void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t first_bytes,
                          BusReadings& readings) noexcept {
   list_ = list;
-  board_bytes_ = board_bytes;
+  first_bytes_ = first_bytes;
   readings_ = &readings;
-  board_answered_ = false;
+  first_answered_ = false;
   position_ = 0;
   last_ = Taken::kNothing;
   answered_.reset();
 }
 
 std::size_t ReplyDecoder::answerBytes() const noexcept {
-  std::size_t bytes = board_bytes_ + kFrameOverhead;
+  std::size_t bytes = first_bytes_ + kFrameOverhead;
   for (const ReadList::Entry entry : list_) bytes += kServoWindows[entry.poll].frameBytes();
+  if (!board_ && !list_.empty()) [[unlikely]]
+    bytes -= kServoPoll.frameBytes();  // counted as first_bytes_
   return bytes;
 }
 
 std::size_t ReplyDecoder::nextFrameBytes() const noexcept {
-  if (!board_answered_) return board_bytes_ + kFrameOverhead;
+  if (!first_answered_) return first_bytes_ + kFrameOverhead;
   if (position_ == list_.size()) return 0;
   return kServoWindows[list_[position_].poll].frameBytes();
 }
 
 void ReplyDecoder::withdraw() noexcept {
-  if (last_ == Taken::kBoard) board_answered_ = readings_->board.answered = false;
+  if (last_ == Taken::kBoard) first_answered_ = readings_->board.answered = false;
   if (last_ == Taken::kServo) {
     const std::uint8_t joint = list_[position_ - 1].joint;
+    if (!board_ && position_ == 1) first_answered_ = readings_->servos_answered = false;
     answered_[joint] = false;
     readings_->servo[joint].answered = readings_->servo[joint].polled = false;
   }
@@ -79,11 +82,11 @@ void ReplyDecoder::withdraw() noexcept {
 
 void ReplyDecoder::takeBoard(const Frame& frame) noexcept {
   if (frame.params.empty()) return;  // acknowledges a write
-  if (frame.params.size() != board_bytes_ || board_answered_) {
+  if (frame.params.size() != first_bytes_ || first_answered_ || !board_) {
     ++late_;
     return;
   }
-  board_answered_ = true;
+  first_answered_ = true;
   last_ = Taken::kBoard;
   const Bytes b = frame.params;
   constexpr std::uint8_t kFirst = kBoardWindow.address;
@@ -103,10 +106,24 @@ void ReplyDecoder::takeBoard(const Frame& frame) noexcept {
   out.error_bits = frame.code;
 }
 
+/// Without a board: opens the exchange. Its length is none that the other servos are read with, so a late reply of
+/// theirs is not taken for it.
+void ReplyDecoder::takeFirst(const Frame& frame) noexcept {
+  if (board_ || list_.empty() || frame.id != servoId(list_[0].joint) || frame.params.size() != first_bytes_) {
+    ++late_;
+    return;
+  }
+  first_answered_ = true;
+  takeServo(Frame{frame.id, frame.code, frame.params.last(kServoPoll.count)});
+  first_answered_ = readings_->servos_answered = last_ == Taken::kServo;
+}
+
 void ReplyDecoder::takeServo(const Frame& frame) noexcept {
+  if (!first_answered_) [[unlikely]]
+    return takeFirst(frame);
   std::size_t at = position_;
   while (at < list_.size() && servoId(list_[at].joint) != frame.id) ++at;
-  if (!board_answered_ || at == list_.size()) {
+  if (at == list_.size()) {
     ++late_;
     return;
   }

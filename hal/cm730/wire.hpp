@@ -34,6 +34,12 @@ inline constexpr RegisterWindow kServoWindow{36, 6};  // 36..41
 // more: 0.14 ms; a round of twenty servos takes 0.32 s at 16 ms.
 inline constexpr RegisterWindow kServoPoll{24, 20};  // 24..43
 
+/// Without a board the servo read first carries the request tag (request_tag.hpp): its poll begins at an earlier
+/// register, so that it has `bytes`. Registers 0..43 are all described in the manual.
+constexpr RegisterWindow taggedPoll(std::uint8_t bytes) {
+  return {static_cast<std::uint8_t>(kServoPoll.address + kServoPoll.count - bytes), bytes};
+}
+
 /// Window to read from a servo; index: whether it is polled.
 inline constexpr std::array<RegisterWindow, 2> kServoWindows{kServoWindow, kServoPoll};
 

@@ -123,7 +123,7 @@ void board(Block& block, Board& seen) {
   block.integer(seen.buttons);
   block.real(seen.voltage.value);
   block.real(seen.microphone_left);
-  block.flags(seen.servo_power, seen.buttons_known);
+  block.flags(seen.servo_power, seen.buttons_known, seen.absent);
   block.integer(seen.led_panel);
   block.integer(seen.led_head);
   block.integer(seen.led_eye);

@@ -64,7 +64,7 @@ Result decode(const List& list, std::uint8_t board_bytes, Bytes stream, Bytes ch
   }
   decoder.takeAll(reader, false);
   require(decoder.complete() == (decoder.nextFrameBytes() == 0));
-  require(decoder.boardAnswered() == result.readings.board.answered);
+  require(decoder.firstAnswered() == result.readings.board.answered);
   result.answered = decoder.answered();
   result.late = decoder.lateReplies();
   return result;

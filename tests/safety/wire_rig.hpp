@@ -42,8 +42,9 @@ inline hil::BoardOptions bootsIn(Nanos boot) {
 }
 
 struct WireRig {
-  explicit WireRig(std::unique_ptr<Body> body = nullptr, const hil::BoardOptions& options = {})
-      : robot{options, 1, std::move(body)} {
+  explicit WireRig(std::unique_ptr<Body> body = nullptr, const hil::BoardOptions& options = {},
+                   const safety::Config& safety = {})
+      : robot{options, 1, std::move(body)}, config{safety} {
     commands.session = 1;
     commands.start_where_it_is = true;
   }
@@ -72,12 +73,18 @@ struct WireRig {
     return std::ranges::all_of(seen().joint, [](const JointSensors& j) { return j.driven; });
   }
 
+  static cm730::BusConfig busConfig(const hil::BoardOptions& options) {
+    cm730::BusConfig config = cm730::BusConfig::forPeriod(kPeriod);
+    config.board = options.board;
+    return config;
+  }
+
   static constexpr Nanos kPeriod{16'000'000};
   hil::VirtualRobot robot;
   hil::MemoryLine memory{robot};
   LossyLine line{memory};
-  cm730::Cm730Bus bus{line, cm730::BusConfig::forPeriod(kPeriod)};
-  safety::Config config{};
+  cm730::Cm730Bus bus{line, busConfig(robot.board().options())};
+  safety::Config config;
   safety::Guard guard{config};
   runtime::Cycle loop{bus, guard, kPeriod};
   Commands commands{};

@@ -18,6 +18,7 @@ enum class BusFault : std::uint8_t {
   kNotABoard,
   kBoardUnreadable,
   kBoardModel,
+  kBoardNotExpected,
   kBrownOut,
   kSupplyLow,
   kBoardResets,
@@ -74,8 +75,8 @@ inline constexpr auto kBusFaultTable = std::to_array<BusFaultRow>({
     {BusFault::kBoardSilent, "board_silent", "no CM-730 answers on PORT",
      "switch the robot on; check the USB cable inside it; is this the robot's port?", "no reply"},
     {BusFault::kNoBoard, "no_board", "servos answer on PORT, but no CM-730",
-     "connect them to a CM-730 or CM-740: servos on a USB2Dynamixel or U2D2 are not driven; or set the board's id to "
-     "200",
+     "connect them to a CM-730 or CM-740, or set the board's id to 200; servos on a USB2Dynamixel or U2D2 are driven "
+     "with [Robot] board = none in robot.ini",
      "servos alone"},
     {BusFault::kNotABoard, "not_a_board", "what arrives on PORT are not replies of a CM-730",
      "choose the robot's port; if it is, replace the USB cable", ""},
@@ -83,6 +84,9 @@ inline constexpr auto kBusFaultTable = std::to_array<BusFaultRow>({
      "press RESET; set its status return level to 2 with the vendor's tool", ""},
     {BusFault::kBoardModel, "board_model", "the board is another model",
      "permit it in robot.ini ([Robot] board_model) if its registers are those of a CM-730", "another model number"},
+    {BusFault::kBoardNotExpected, "board_not_expected",
+     "a board answers on PORT, but robot.ini says that there is none", "remove [Robot] board = none from robot.ini",
+     ""},
     {BusFault::kBrownOut, "brown_out", "the supply drops under load",
      "charge or replace the battery; check its plug and the cable to the board",
      "supply drops with the load: under 11 V, or until servos restart"},

@@ -43,9 +43,9 @@ void replaceAll(std::string& text, std::string_view word, const std::string& by)
     text.replace(at, word.size(), by);
 }
 
-FaultPlace placeOf(const LooseConnector& loose) {
+FaultPlace placeOf(const LooseConnector& loose, const BoardFacts& board) {
   FaultPlace place{BusFault::kLooseConnector, only(loose.first), loose.evidence};
-  place.from_text = loose.from ? servoName(*loose.from) : "the board";
+  place.from_text = loose.from ? servoName(*loose.from) : feedName(board);
   return place;
 }
 
@@ -133,7 +133,7 @@ class Naming {
     else if (usual >= kUsbDelayed || facts_.long_round_trip >= kUsbDelayedSometimes)
       name(BusFault::kUsbDelays, times + ": a latency timer would delay all of them alike");
     else if (const auto loose = findLooseConnector(facts_))
-      name(placeOf(*loose));
+      name(placeOf(*loose, facts_.board));
     else if (isNoisy(facts_) || has(Kind::kRepliesLost) || has(Kind::kLineNoisy))
       name(BusFault::kNoisyLine, noiseText(facts_));
     if (has(Kind::kCycleTooLong) && !isNamed(BusFault::kLatencyTimer) && !isNamed(BusFault::kUsbDelays) &&
@@ -143,13 +143,13 @@ class Naming {
 
   /// With other losses it was one of them.
   [[nodiscard]] bool firstReadLost() const {
-    return facts_.board.readable && (facts_.board.ping_tries > 1 || facts_.instructions.first_lost) &&
-           lostReplies(facts_) == 0;
+    const bool board = facts_.board.readable && facts_.board.ping_tries > 1;
+    return facts_.board.isKnown() && (board || facts_.instructions.first_lost) && lostReplies(facts_) == 0;
   }
 
   void nameSilentServos() {
     if (has(Kind::kNoServo)) return name(BusFault::kNoServo, {});
-    if (!facts_.board.power_on) return;
+    if (!facts_.board.suppliesServos()) return;
     for (const FaultPlace& place : explainSilentServos(facts_)) name(place);
   }
 

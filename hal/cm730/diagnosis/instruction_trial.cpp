@@ -42,15 +42,21 @@ class Trial {
   }
 
  private:
-  /// One BulkRead of the board and `servos`. Returns true if the board answered. Results: `answered_`, `led_`.
-  bool exchange(std::uint8_t board_bytes, const std::vector<std::size_t>& servos) {
+  /// One BulkRead of the board and `servos`. Returns true if the board answered; without a board, if a servo did.
+  /// Results: `answered_`, `led_`.
+  bool exchange(std::uint8_t board_bytes, const std::vector<std::size_t>& servos,
+                std::uint8_t servo_bytes = kServoPoll.count) {
     std::array<std::uint8_t, kMaxFrame> frame{};
     BulkReadEncoder request{frame};
-    request.add(kBoardId, kBoardWindow.address, board_bytes);
-    std::size_t bytes = board_bytes + kFrameOverhead;
+    std::size_t bytes = 0;
+    if (!facts_.board.absent) {
+      request.add(kBoardId, kBoardWindow.address, board_bytes);
+      bytes = board_bytes + kFrameOverhead;
+    }
+    servo_bytes_ = servo_bytes;
     for (const std::size_t i : servos) {
-      request.add(kJointTable[i].id, kServoPoll.address, kServoPoll.count);
-      bytes += kServoPoll.frameBytes();
+      request.add(kJointTable[i].id, taggedPoll(servo_bytes).address, servo_bytes);
+      bytes += servo_bytes + kFrameOverhead;
     }
     const Bytes sent = request.finish();
     line_.discardInput();
@@ -65,7 +71,7 @@ class Trial {
   }
 
   bool receive(std::uint8_t board_bytes, std::size_t servos, Nanos deadline) {
-    bool board = false;
+    bool board = facts_.board.absent;
     answered_.reset();
     FrameReader reader;
     std::array<std::uint8_t, 512> incoming{};
@@ -83,15 +89,15 @@ class Trial {
     // A late reply would be taken for the reply to the next request.
     const bool missing = !board || answered_.count() != servos;
     if (missing && !facts_.lost && pass(line_, kLateReplies) == LineStatus::kLost) facts_.lost = true;
-    return board;
+    return facts_.board.absent ? answered_.any() : board;
   }
 
   void take(const Frame& frame, std::uint8_t board_bytes, bool& board) {
     if (frame.id == kBoardId && frame.params.size() == board_bytes) board = true;
-    if (frame.id < 1 || frame.id > kJoints || frame.params.size() != kServoPoll.count) return;
+    if (frame.id < 1 || frame.id > kJoints || frame.params.size() != servo_bytes_) return;
     const std::size_t i = frame.id - 1u;
     answered_.set(i);
-    led_[i] = frame.params[kLedAt] != 0;
+    led_[i] = frame.params.last(kServoPoll.count)[kLedAt] != 0;
   }
 
   void tryBulkRead() {
@@ -163,6 +169,7 @@ class Trial {
   }
 
   void tryBlockLengths() {
+    if (facts_.board.absent) return tryServoLengths();
     for (std::uint8_t bytes = kBoardWindow.count; bytes <= RequestTag::kMostBytes && !facts_.lost; ++bytes) {
       bool answered = false;
       for (int i = 0; i < kTries && !answered && !facts_.lost; ++i) answered = exchange(bytes, {});
@@ -172,8 +179,24 @@ class Trial {
     }
   }
 
+  /// Any servo may be the one that carries the request tag.
+  void tryServoLengths() {
+    for (std::uint8_t bytes = RequestTag::kLeastServoBytes; bytes <= RequestTag::kMostServoBytes && !facts_.lost;
+         ++bytes) {
+      std::bitset<kJoints> answered;
+      for (int i = 0; i < kTries && answered.count() < list_.size() && !facts_.lost; ++i) {
+        exchange(0, list_, bytes);
+        answered |= answered_;
+      }
+      if (answered.count() == list_.size() || facts_.lost) continue;
+      facts_.instructions.all_blocks = false;
+      return;
+    }
+  }
+
   ByteLine& line_;
   RobotFacts& facts_;
+  std::uint8_t servo_bytes_ = kServoPoll.count;
   std::vector<std::size_t> list_;  // joints in reading order
   std::bitset<kJoints> answered_, led_;
 };

@@ -19,6 +19,7 @@ inline constexpr auto kKindFaults = std::to_array<KindFault>({
     {Kind::kBoardGarbled, BusFault::kNotABoard},
     {Kind::kBoardUnreadable, BusFault::kBoardUnreadable},
     {Kind::kBoardModel, BusFault::kBoardModel},
+    {Kind::kBoardNotExpected, BusFault::kBoardNotExpected},
     {Kind::kServoPowerOff, BusFault::kServoPowerOff},
     {Kind::kNoBulkRead, BusFault::kNoBulkRead},
     {Kind::kNoSyncWrite, BusFault::kNoSyncWrite},

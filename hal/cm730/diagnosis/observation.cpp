@@ -67,7 +67,7 @@ class Observation {
   bool answersPing(std::uint8_t id) { return note(ping(line_, id, {1, facts_.round_trip + kPingMargin})).ok(); }
 
   void checkPower() {
-    if (facts_.observed.power_losses >= kMostPowerLosses) return;
+    if (facts_.board.absent || facts_.observed.power_losses >= kMostPowerLosses) return;
     const Answer power = note(readRegisters(line_, kBoardId, board::kDxlPower, 1));
     if (!power.ok() || power.data()[0] != 0) return;
     if (power_was_on_) ++facts_.observed.power_losses;

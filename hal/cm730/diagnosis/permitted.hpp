@@ -10,6 +10,7 @@ namespace darwinop::cm730 {
 
 struct Permitted {
   std::uint16_t board_model = find(kCm730, "model").reset;
+  bool no_board = false;  // servos alone on an adapter; a board that answers all the same is refused
   ServoModels servo_models{};
 };
 

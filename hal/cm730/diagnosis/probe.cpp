@@ -44,8 +44,8 @@ class Probe {
       measureRoundTrip();
       if (!isSupported(facts_)) return finish(began);
       switchServosOn();
-      if (facts_.board.power_on) measureServos(requests_, options_, facts_);
-      if (!facts_.lost && facts_.board.power_on) tryInstructions(line_, facts_);
+      if (facts_.board.suppliesServos()) measureServos(requests_, options_, facts_);
+      if (!facts_.lost && facts_.board.suppliesServos()) tryInstructions(line_, facts_);
       measureLosses();
       if (options_.observe && !facts_.lost) observe(line_, facts_);
     }
@@ -66,7 +66,8 @@ class Probe {
     board.garbled = pinged.garbled && !pinged.ok();
     if (!board.found) {
       if (!board.garbled) countServosWithoutBoard();
-      return false;
+      board.absent = options_.permitted.no_board && !board.garbled;
+      return board.absent && board.servos_without_it > 0;
     }
     const Answer table = requests_.read(kBoardId, 0, kBoardBytes);
     board.garbled |= table.garbled && !table.ok();
@@ -89,13 +90,16 @@ class Probe {
   void countServosWithoutBoard() {
     requests_.patience = kOnePing;
     for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i)
-      if (!facts_.servo[i].absent && requests_.ping(kJointTable[i].id).ok()) ++facts_.board.servos_without_it;
+      if (!facts_.servo[i].absent && requests_.ping(kJointTable[i].id).ok()) {
+        if (facts_.board.servos_without_it++ == 0) round_trip_id_ = kJointTable[i].id;
+      }
+    requests_.patience = {};
   }
 
   void measureRoundTrip() {
     std::vector<Nanos> took;
     for (int i = 0; i < options_.round_trip_reads && !facts_.lost; ++i)
-      if (const Answer answer = requests_.read(kBoardId, 0, 2); answer.ok() && answer.tries == 1)
+      if (const Answer answer = requests_.read(round_trip_id_, 0, 2); answer.ok() && answer.tries == 1)
         took.push_back(answer.took);
     facts_.round_trip_reads = static_cast<int>(took.size());
     if (took.empty()) return;
@@ -109,7 +113,7 @@ class Probe {
 
   void switchServosOn() {
     BoardFacts& board = facts_.board;
-    if (board.power_on || facts_.lost) return;
+    if (board.absent || board.power_on || facts_.lost) return;
     constexpr int kAttempts = 3;  // a busy computer may lose the write or the reply
     for (int tried = 0; tried < kAttempts && !board.power_on && !facts_.lost; ++tried) {
       const std::uint8_t on = 1;
@@ -139,6 +143,7 @@ class Probe {
   ByteLine& line_;
   const ProbeOptions& options_;
   RobotFacts facts_;
+  std::uint8_t round_trip_id_ = kBoardId;
   ProbeRequests requests_{line_, facts_.lost};
 };
 

@@ -70,6 +70,7 @@ struct ServoFacts {
 };
 
 struct BoardFacts {
+  bool absent = false;  // none answers, and robot.ini permits that; the other fields are not measured
   bool found = false, garbled = false, readable = false;
   int ping_tries = 0;         // until the first answer
   int servos_without_it = 0;  // that answer a ping although the board does not
@@ -78,15 +79,21 @@ struct BoardFacts {
   bool power_was_on = false, power_on = false;  // servo power
   Volt voltage;
   std::array<MeterPerSec2, 3> accelerometer;  // x, y, z
+
+  /// Measured, or known not to be there.
+  [[nodiscard]] bool isKnown() const { return absent || readable; }
+  /// Servos can be measured. Without a board their power is unknown until they answer.
+  [[nodiscard]] bool suppliesServos() const { return absent || power_on; }
 };
 
 /// Results of testing the loop's instructions.
 struct InstructionFacts {
   bool tried = false;       // false: no servo to test with; the other fields are invalid
-  bool bulk_read = false;   // answered by the board
+  bool bulk_read = false;   // answered by the board; without a board by a servo
   bool first_lost = false;  // the first BULK_READ got no answer, a later one did
   bool sync_write = false;  // executed by at least one servo
-  bool all_blocks = true;   // lengths 30..57, by which the bus distinguishes replies (request_tag.hpp)
+  bool all_blocks =
+      true;  // lengths 30..57, of a servo 21..44, by which the bus distinguishes replies (request_tag.hpp)
 };
 
 /// Results of the doctor's longer observation (observation.hpp); a start of a loop does not make it.

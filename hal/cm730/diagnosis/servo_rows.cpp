@@ -40,7 +40,7 @@ Finding silentRow(Joint joint, const RobotFacts& facts) {
   if (!where.first_silent || row(joint).id < row(*where.first_silent).id || where.silent == 1)
     return Finding::of(kind, what, "check its connectors; " + replaced(joint) + permit);
   if (joint != *where.first_silent) return Finding::of(kind, what + ", behind " + servoName(*where.first_silent), {});
-  const std::string from = where.last_answering ? servoName(*where.last_answering) : "the board";
+  const std::string from = where.last_answering ? servoName(*where.last_answering) : feedName(facts.board);
   return Finding::of(kind, what + ", and all servos behind it in the chain",
                      "check the cable from " + from + " into " + servoName(joint) + permit);
 }
@@ -52,10 +52,17 @@ std::string servoName(Joint joint) {
   return "servo " + std::to_string(r.id) + " " + std::string{r.name} + " (" + std::string{r.anatomical} + ")";
 }
 
+const char* feedName(const BoardFacts& board) {
+  return board.absent ? "the adapter" : "the board";
+}
+
 void addServoRows(const RobotFacts& facts, Findings& rows) {
   if (std::ranges::none_of(facts.servo, [](const ServoFacts& s) { return s.found || s.garbled; })) {
-    rows.push_back(Finding::of(Kind::kNoServo, "none of the twenty servos answers although servo power is on",
-                               "check the cables from the board to the servos, then the board's servo fuse"));
+    rows.push_back(facts.board.absent
+                       ? Finding::of(Kind::kNoServo, "none of the servos answers on " + facts.port,
+                                     kHowToSupply + std::string{"; check the cables from the adapter to the servos"})
+                       : Finding::of(Kind::kNoServo, "none of the twenty servos answers although servo power is on",
+                                     "check the cables from the board to the servos, then the board's servo fuse"));
     return;
   }
   for (std::size_t i = 0; i < kJoints; ++i) {

@@ -12,10 +12,14 @@ namespace darwinop::cm730 {
 inline constexpr const char* kStatusLevelCorrected = "status return level set to 2 permanently";
 inline constexpr const char* kMuteCorrected =
     "at status return level 0 its model could not be read; level set to 2 permanently";
+inline constexpr const char* kHowToSupply = "switch the servos' supply on";
 inline constexpr const char* kIdOneTwice = "two servos may share id 1";
 
 /// "servo 13 LegLowerR (right knee)"
 std::string servoName(Joint joint);
+
+/// What the chains of servos begin at: "the board", "the adapter".
+const char* feedName(const BoardFacts& board);
 
 /// Twenty rows by id, or a single one if no servo answers.
 void addServoRows(const RobotFacts& facts, Findings& rows);

@@ -39,7 +39,7 @@ class SilentServos {
     if (static_cast<int>(behind.count()) != where.silent) return;
     FaultPlace place{BusFault::kChainBroken, only(*where.first_silent)};
     place.evidence = servoNames(behind) + " are silent: one broken cable is likelier than as many defects";
-    place.from_text = where.last_answering ? servoName(*where.last_answering) : "the board";
+    place.from_text = where.last_answering ? servoName(*where.last_answering) : feedName(facts_.board);
     places_.push_back(std::move(place));
     silent_ &= ~behind;
   }

@@ -1,0 +1,48 @@
+// Supply of a robot without a board, from its servos: nothing else shows that it was interrupted, or how high it is.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+#include "core/sensors.hpp"
+#include "safety/config.hpp"
+
+namespace darwinop::safety {
+
+class SupplyWatch {
+ public:
+  /// `held_before`: an earlier loop held the joints, so a servo in its power-up state has restarted since.
+  explicit SupplyWatch(bool held_before);
+
+  /// Once in each cycle in which the bus answers or is missed.
+  void update(const Sensors& seen, Nanos dt) noexcept;
+
+  /// True in a cycle in which at least half of the servos that had a speed limit are known to have restarted within
+  /// kTogether. Fewer are a matter of their joints (JointGuard): a connector of one limb is loose.
+  [[nodiscard]] bool interruptedNow() const noexcept { return interrupted_now_; }
+
+  /// Median of the servos' last readings: a single wrong sensor does not count. NaN: none is recent.
+  [[nodiscard]] double voltage() const noexcept { return voltage_; }
+
+  // A servo boots in about 0.2 s; those of one supply are back within a second, and are polled at once. Not measured on
+  // a robot.
+  static constexpr Nanos kTogether{std::chrono::seconds{1}};
+  /// Maximum age of a voltage: two polling rounds, in cycles.
+  static constexpr std::uint32_t kRecent = 2 * (kJoints + 5);
+
+ private:
+  using Joints = std::bitset<kJoints>;
+
+  void notePoll(std::size_t joint, const JointSensors& seen) noexcept;
+  void measureVoltage(const Sensors& seen) noexcept;
+
+  Joints limited_;    // had a speed limit in the last poll: a loop has written one since the servo started
+  Joints missed_;     // of these, those that missed a reply since
+  Joints restarted_;  // within kTogether
+  Nanos since_restart_{0};
+  bool restarted_now_ = false, polled_now_ = false, interrupted_now_ = false;
+  double voltage_ = kUnknown;
+};
+
+}  // namespace darwinop::safety
