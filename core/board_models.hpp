@@ -24,15 +24,12 @@ inline constexpr auto kBoardModels = std::to_array<BoardModel>({
      "model number, registers, gyroscope and accelerometer scale"},
 });
 
-/// Servos on a USB2Dynamixel or U2D2. Not driven yet: nothing answers for the robot as a whole, so a lost supply looks
-/// like a lost line, and no button releases the robot.
-inline constexpr BoardModel kNoBoard{0,
-                                     "none",
-                                     "servos on a USB2Dynamixel or U2D2",
-                                     "none",
-                                     "none: unknown",
-                                     "inertial sensor, LEDs, buttons, microphones, supply voltage",
-                                     "all; not driven"};
+/// Servos on a USB2Dynamixel or U2D2; driven with `board = none` in robot.ini only. Nothing answers for the robot as a
+/// whole and no button releases it.
+inline constexpr BoardModel kNoBoard{
+    0,      "none",          "servos on a USB2Dynamixel or U2D2",
+    "none", "none: unknown", "inertial sensor, LEDs, buttons, microphones, supply voltage",
+    "all"};
 
 /// The row of this model number; null: there is none.
 constexpr const BoardModel* findBoardModel(std::uint16_t number) {

@@ -64,7 +64,7 @@ struct FaultRow {
 // Thresholds are defined in safety/config.hpp; tests/safety/fault_docs_test.cpp compares them with these texts.
 inline constexpr auto kFaultTable = std::to_array<FaultRow>({
     {Fault::kBusSilent, Reaction::kStopSending, false, false, "bus_silent",
-     "the CM-730 board has not answered for more than 5 cycles",
+     "the CM-730 board, or without one the servos, have not answered for more than 5 cycles",
      "check the USB cable and the robot's power switch; the runtime resumes when the board replies", Checked::kAlways,
      "",
      "Powered servos hold their last goal. At the first answer joints continue gently from where they are; without a "
@@ -74,8 +74,9 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "hold the robot, then press START or start the controller again; if RESET was not pressed, check battery and "
      "connector",
      Checked::kBoard, "",
-     "Two answers in a row. A joint counts as under torque until polled after a torque off (0.4 s); `NAME.held` in "
-     "`/dev/shm` keeps this across loops."},
+     "Two answers in a row; without a board, half of the servos restart within a second. A joint counts as under "
+     "torque "
+     "until polled after a torque off (0.4 s); `NAME.held` in `/dev/shm` keeps this across loops."},
     {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent",
      "a servo has not answered for half a second, or does not store what is written to it",
      "check the cable that leads to the first silent servo of its chain", Checked::kAlways, "",

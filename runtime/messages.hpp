@@ -47,6 +47,7 @@ inline constexpr const char* kNoPythonModules = "this build has no Python module
 inline constexpr const char* kNoPython = "no Python loads the modules in ";                        // then the folder
 
 // report.cpp
+inline constexpr const char* kNoBoard = "board         none: servo power is unknown; no buttons, no inertial sensor\n";
 inline constexpr const char* kNoCycle = "The loop has not run a cycle.\n";
 
 // shared_file.cpp: why a file is not used

@@ -42,7 +42,7 @@ std::string staleText(const Sensors& sensors) {
 
 std::vector<std::string> staleDevices(const Sensors& sensors) {
   std::vector<std::string> stale;
-  if (sensors.board.motion.age >= kStaleAge) stale.emplace_back("CM-730");
+  if (!sensors.board.absent && sensors.board.motion.age >= kStaleAge) stale.emplace_back("CM-730");
   for (std::size_t i = 0; i < kJoints; ++i)
     if (sensors.joint[i].motion.age >= kStaleAge) stale.emplace_back(kJointTable[i].name);
   return stale;
@@ -92,6 +92,7 @@ std::string robotText(const Sensors& last) {
     text += "\n  what to do  " + std::string{fault.remedy} + "\n";
   }
   if (last.safety.active.none()) text += "faults        none\n";
+  if (last.board.absent) return text + messages::kNoBoard;
   return text + "battery       " + shown(last.board.voltage.value, 1, " V") + "\n";
 }
 

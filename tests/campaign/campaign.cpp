@@ -16,8 +16,9 @@ double seconds(Nanos time) {
 }
 
 /// A servo that gets its supply back needs a while to start, like a real one.
-hil::BoardOptions slowStarters() {
+hil::BoardOptions slowStarters(bool board) {
   hil::BoardOptions options;
+  options.board = board;
   options.servo_boot = Nanos{200'000'000};
   return options;
 }
@@ -44,8 +45,14 @@ hil::FaultKinds kindsThatKeepBytesWhole() {
   return kinds;
 }
 
-Campaign::Campaign(std::uint64_t seed, std::unique_ptr<Body> body)
-    : robot{slowStarters(), seed, std::move(body)}, controller{seed} {
+cm730::BusConfig Campaign::busConfig(bool board) {
+  cm730::BusConfig config = cm730::BusConfig::forPeriod(kPeriod);
+  config.board = board;
+  return config;
+}
+
+Campaign::Campaign(std::uint64_t seed, std::unique_ptr<Body> body, bool board)
+    : robot{slowStarters(board), seed, std::move(body)}, controller{seed} {
   line.observe(this);
 }
 
@@ -110,7 +117,7 @@ Tolerated Campaign::tolerated() const {
 
 bool Campaign::well() const {
   const Sensors& s = loop.sensors();
-  return s.safety.state == State::kDriven && s.board.motion.fresh() &&
+  return s.safety.state == State::kDriven && s.bus.fresh() &&
          std::ranges::all_of(s.joint, [](const auto& j) { return j.motion.fresh() && j.driven; });
 }
 

@@ -21,7 +21,9 @@ class Campaign : private hil::WireObserver {
  public:
   static constexpr Nanos kPeriod{16'000'000};
 
-  explicit Campaign(std::uint64_t seed, std::unique_ptr<Body> body = std::make_unique<FallingBody>());
+  /// Without a `board` the servos are alone on an adapter.
+  explicit Campaign(std::uint64_t seed, std::unique_ptr<Body> body = std::make_unique<FallingBody>(),
+                    bool board = true);
 
   void cycle(const Commands& asked);
   /// So many cycles under so many random faults a second; now and then all of them end, and the robot has to be driven
@@ -34,7 +36,7 @@ class Campaign : private hil::WireObserver {
 
   hil::VirtualRobot robot;
   hil::MemoryLine line{robot};
-  cm730::Cm730Bus bus{line, cm730::BusConfig::forPeriod(kPeriod)};
+  cm730::Cm730Bus bus{line, busConfig(robot.board().options().board)};
   safety::Config config{};
   safety::Guard guard{config};
   runtime::Cycle loop{bus, guard, kPeriod};
@@ -50,6 +52,7 @@ class Campaign : private hil::WireObserver {
   double fastest = 0;  // rad/s
 
  private:
+  static cm730::BusConfig busConfig(bool board);
   void request(const Frame& frame, Nanos at) noexcept override;
   void reply(Bytes bytes, Nanos at) noexcept override;
   void checkReadings(const BodyState& before, const BodyState& after);

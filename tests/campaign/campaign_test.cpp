@@ -53,5 +53,21 @@ TEST(Campaign, PromisesHoldWhenBytesAreLostAndDamagedToo) {
   EXPECT_LE(static_cast<double>(campaign.wrong), Campaign::wrongReadingsAllowed(false, campaign.readings));
 }
 
+TEST(Campaign, WithoutABoardNothingStalePassesForFreshEither) {
+  const std::uint64_t seed = seedFromEnvironment();
+  SCOPED_TRACE("DARWINOP_SEED=" + std::to_string(seed));
+  Campaign campaign{seed, std::make_unique<FallingBody>(), false};
+  fightAndReport(campaign, seed, kindsThatKeepBytesWhole());
+  EXPECT_EQ(campaign.wrong, 0);
+}
+
+TEST(Campaign, WithoutABoardPromisesHoldWhenBytesAreLostAndDamagedToo) {
+  const std::uint64_t seed = seedFromEnvironment();
+  SCOPED_TRACE("DARWINOP_SEED=" + std::to_string(seed));
+  Campaign campaign{seed, std::make_unique<FallingBody>(), false};
+  fightAndReport(campaign, seed, allKinds());
+  EXPECT_LE(static_cast<double>(campaign.wrong), Campaign::wrongReadingsAllowed(false, campaign.readings));
+}
+
 }  // namespace
 }  // namespace darwinop

@@ -94,7 +94,7 @@ void ServoJudge::judgeOutage(const Sensors& seen) {
       blame(Promise::kPatience, "offline after " + std::to_string(missed_answers_) + " missed answers");
   }
   const bool asked = bulk_reads_ > 0 || port_closed_ || !robot_.portOpen();
-  if (seen.board.motion.fresh())
+  if (seen.bus.fresh())
     missed_answers_ = 0;
   else if (asked)
     ++missed_answers_;

@@ -200,6 +200,20 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H214", "Servo data stop without visible reason", "the port was left with XON/XOFF",
      "the port starts from a known state", "all flags are set",
      "serial_test:OpenSerial.ClearsEveryFlagOfThePreviousOwner", "start-up"},
+    {"H215", "Nothing is read", "without a board the servo that is read first is silent",
+     "the next cycle begins with a servo of another chain", "read in another order",
+     "servo_hazards_test:OfAnyChain/SilentServo.OnlyCostsTheOthersMoments/0 "
+     "bus_test:FirstServoOfTheList.ComesToEveryServoWhenAllButOneAreDead "
+     "hazard_reaction_test:ReactionWithoutBoard.ASilentFirstServoHidesTheOthersForThreeCyclesAtMost"},
+    {"H216", "A stale value passes for a measurement", "without a board a servo's late reply looks like the first one",
+     "the first reply has a length that no other servo is read with, and it changes", "late replies are discarded",
+     "bus_test:FirstServo.LateRepliesOfAnyServoOpenNothing "
+     "campaign_test:Campaign.WithoutABoardNothingStalePassesForFreshEither",
+     "always"},
+    {"H217", "Servos are driven on outdated evidence", "without a board no servo answers",
+     "nothing is sent after more than five missed cycles", "offline, then takeover",
+     "servo_hazards_test:WithoutBoard.AnUnpluggedAdapterDoesNotCountAsAnInterruptedSupply "
+     "hazard_reaction_test:ReactionWithoutBoard.SilentServosEndSending"},
     {"H310", "Many joints jump after a brown-out", "brief supply loss of a chain or all servos",
      "torque on only at the present position, with a speed limit", "held after one missed answer, then taken over",
      "campaign_test:CorrelatedFaults.ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump "
@@ -226,6 +240,9 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "two attempts at most", "left out; other joints kneel",
      "safety_test:TakeOver.AServoThatShutsItselfOffAtOnceIsTriedTwiceAndThenBelieved "
      "hazard_reaction_test:ReactionAtStart.AServoThatShutsItselfOffInATakeoverIsTriedTwiceAtMost"},
+    {"H316", "The battery is damaged or the robot drops", "without a board the supply is under 10 V",
+     "the servos measure it", "kneel, then limp",
+     "hazard_reaction_test:ReactionWithoutBoard.AnEmptyBatteryMakesItKneel"},
     {"H406", "A released robot moves again by itself", "a crashed default controller restarts",
      "a program's session clears no latched fault", "limp until START, reset or a person's session",
      "safety_on_board_test:ReleaseOnTheBoard.AfterModeNoServoGetsTorqueUntilStart "
@@ -251,6 +268,15 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "kneel, limp",
      "safety_test:FoundStiff.WhenTheLoopClosesItKneelsAndReleasesTorque "
      "hazard_reaction_test:ReactionAtStart.ARobotFoundStiffIsBroughtToRestWhenTheLoopCloses"},
+    {"H411", "The robot moves again under a hand", "without a board the supply of the servos returns by itself",
+     "no torque without a person's act", "restarted servos are polled first; limp, latched",
+     "servo_hazards_test:WithoutBoard/Outage.NoServoGetsTorqueAfterItBeforeAPersonActs/7 "
+     "servo_hazards_test:WithoutBoard.AnInterruptionAfterTheDeathOfALoopThatHeldTheRobotIsARelease "
+     "hazard_reaction_test:ReactionWithoutBoard.AnInterruptedSupplyLeavesEveryJointLimp "
+     "hazard_reaction_test:ReactionWithoutBoard.AnInterruptedSupplyInAKneelLeavesEveryJointLimp"},
+    {"H412", "A person cannot stop the robot", "without a board there is no MODE button", "an operator can release it",
+     "all torque off; step() returns -1",
+     "hazard_reaction_test:ReactionWithoutBoard.AReleaseByAnOperatorSwitchesAllTorqueOff"},
     {"H415", "A robot left stiff is reported at rest", "a stuck servo, or a silent board",
      "success only if every servo was seen limp", "exit code, joints named",
      "runtime_test:TorqueLeft.AServoThatWasNotPolledForTwoRoundsIsUnknown "
@@ -314,6 +340,12 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "bus_test:StallTorques.AStrongerServoGetsTheTorqueLimitThatWasAskedForAndNotItsOwnMaximum "
      "link_pty_test:OtherHardware.AnMx64PermittedByRobotIniGetsTheTorqueLimitOfAnMx28 "
      "serial_test:Permitted/StrongerServo.IsRefusedWithItsNameAndTheSettingThatPermitsIt/Model310",
+     "start-up"},
+    {"H608", "Buttons and servo power are not watched", "robot.ini says that there is no board, or says nothing of it",
+     "servos alone are driven only with board = none, a board only without it", "refused with a message",
+     "serial_test:ProbeWithoutBoard.NothingIsDrivenThatNobodyPermitted "
+     "serial_test:ProbeWithoutBoard.ABoardIsRefusedBeforeAnythingIsWritten "
+     "link_pty_test:ServosAlone.ABoardThatAnswersAllTheSameIsRefused",
      "start-up"},
     {"H605", "The loop misses every deadline", "FTDI latency timer of 16 ms", "an impossible period is refused",
      "refused; the message names the fix",

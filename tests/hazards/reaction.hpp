@@ -14,6 +14,8 @@ namespace darwinop::hazards {
 /// A robot without a controller: `rig.drive()` starts one.
 class ReactionAtStart : public ::testing::Test {
  protected:
+  explicit ReactionAtStart(const hil::BoardOptions& options = {}) : rig{options} {}
+
   /// Counts the cycles from now, the cause, until `done`, and records them for docs/hazards.md. What holds before its
   /// cause does not count.
   void measure(const std::function<bool()>& done, long at_most) { measure(rig, done, at_most); }

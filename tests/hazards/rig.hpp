@@ -137,10 +137,16 @@ struct HazardRig {
     return count;
   }
 
+  static cm730::BusConfig busConfig(bool board) {
+    cm730::BusConfig config = cm730::BusConfig::forPeriod(kPeriod);
+    config.board = board;
+    return config;
+  }
+
   hil::VirtualRobot robot;
   hil::MemoryLine line{robot};
   LosingLine losing{line};
-  cm730::Cm730Bus bus{losing, cm730::BusConfig::forPeriod(kPeriod)};
+  cm730::Cm730Bus bus{losing, busConfig(robot.board().options().board)};
   safety::Guard guard{safety::Config{}};
   runtime::Cycle loop{bus, guard, kPeriod};
   Commands commands{};

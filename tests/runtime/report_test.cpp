@@ -57,6 +57,15 @@ TEST(Report, CountsStaleDevicesInTheLineAndNamesThemInTheText) {
   EXPECT_THAT(reportText(stats, s), HasSubstr("stale devices FootL, Neck\n"));
 }
 
+TEST(Report, WithoutABoardNothingOfItIsStaleAndServoPowerIsUnknown) {
+  Sensors s = allFresh();
+  s.board = {};
+  EXPECT_THAT(reportText(statsOf(s, 3, LoopStats::Timed::kYes), s), HasSubstr("stale devices CM-730\n"));
+  s.board.absent = true;
+  EXPECT_THAT(reportText(statsOf(s, 3, LoopStats::Timed::kYes), s), HasSubstr("stale devices none\n"));
+  EXPECT_THAT(robotText(s), HasSubstr(messages::kNoBoard));
+}
+
 TEST(Report, TextSaysSoWhenNoCycleHasRun) {
   EXPECT_EQ(reportText(StatsView{}, Sensors{}), messages::kNoCycle);
   EXPECT_THAT(reportLine(StatsView{}, Sensors{}), HasSubstr("cycles=0 "));

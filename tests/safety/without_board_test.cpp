@@ -204,7 +204,7 @@ TEST_F(WithoutBoard, AnInterruptedSupplyInAKneelLeavesEveryJointLimp) {
   EXPECT_TRUE(active(Fault::kBoardReset));
 }
 
-TEST_F(WithoutBoard, AnUnpluggedAdapterIsNoInterruptedSupply) {
+TEST_F(WithoutBoard, AnUnpluggedAdapterDoesNotCountAsAnInterruptedSupply) {
   drive();
   unplug(1s);
   rig.run(30);
@@ -225,7 +225,7 @@ TEST_F(WithoutBoard, ALimbThatRestartsIsTakenOverGently) {
   EXPECT_EQ(stiff(), kAll);
 }
 
-TEST_F(WithoutBoard, AnInterruptedSupplyOfALimpRobotIsNoRelease) {
+TEST_F(WithoutBoard, AnInterruptedSupplyOfALimpRobotReleasesNothing) {
   rig.commands = {};
   rig.run(100);
   ASSERT_EQ(rig.state(), State::kLimp);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <webots/Accelerometer.hpp>
 #include <webots/Gyro.hpp>
+#include <webots/LED.hpp>
 #include <webots/TouchSensor.hpp>
 
 #include "core/counts.hpp"
@@ -52,6 +53,24 @@ TEST_F(SensorTest, ABoardThatIsSilentReadsNaNEverywhere) {
   const std::string said = testing::internal::GetCapturedStderr();
   for (const char* device : {"Gyro has", "Accelerometer has", "ButtonMode has", "the battery sensor has"})
     EXPECT_THAT(said, testing::HasSubstr(device));
+}
+
+TEST_F(SensorTest, WithoutABoardItsDevicesDoNotExist) {
+  fake.image.board = {};
+  fake.image.board.absent = true;
+  EXPECT_EQ(robot().getGyro("Gyro"), nullptr);
+  EXPECT_EQ(robot().getAccelerometer("Accelerometer"), nullptr);
+  for (const char* led : {"EyeLed", "HeadLed", "BackLedRed", "BackLedBlue", "BackLedGreen"}) {
+    EXPECT_EQ(robot().getLED(led), nullptr) << led;
+    EXPECT_EQ(robot().getDevice(led), nullptr) << led;
+  }
+  EXPECT_EQ(robot().getTouchSensor("ButtonMode"), nullptr);
+  EXPECT_EQ(robot().getTouchSensor("ButtonStart"), nullptr);
+  EXPECT_TRUE(std::isnan(robot().batterySensorGetValue()));
+  const int left = 2 * static_cast<int>(kJoints) + 2;  // motors, their sensors, camera, speaker
+  EXPECT_EQ(robot().getNumberOfDevices(), left);
+  for (int i = 0; i < left; ++i) EXPECT_NE(robot().getDeviceByIndex(i), nullptr) << i;
+  EXPECT_EQ(robot().step(16), 0);
 }
 
 TEST_F(SensorTest, ButtonsAreTheBoardsBits) {

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint16_t kCm730Model = find(kCm730, "model").reset;
 
 constexpr const char* kHowToPermitNoBoard =
-    "connect the servos to a CM-730 or CM-740; if there is none on purpose, permit it in robot.ini: [Robot] board = "
+    "connect the servos to a CM-730 or CM-740; if they are alone on purpose, permit it in robot.ini: [Robot] board = "
     "none (no buttons, no inertial sensor, servo power unknown: docs/robot-file.md)";
 
 Finding silentBoard(const RobotFacts& facts) {
@@ -56,7 +56,7 @@ Finding supply(Volt voltage) {
   return Finding::ok(volts);
 }
 
-/// Servo power is not read: nothing tells whether it is on but the servos' replies.
+/// Servo power is not read: only the servos' replies show that it is on.
 void addNoBoard(const RobotFacts& facts, Findings& rows) {
   rows.push_back(
       Finding::ok("no board, as robot.ini says: no buttons, LEDs, inertial sensor; servo power is unknown, and nothing "
@@ -75,10 +75,9 @@ void addBoardRows(const RobotFacts& facts, Findings& rows) {
   }
   const BoardModel* const model = findBoardModel(board.model);
   if (facts.permitted.no_board) {
-    rows.push_back(
-        Finding::of(Kind::kBoardNotExpected,
-                    boardName(board) + " answers on " + facts.port + ", but robot.ini says that there is none",
-                    "remove [Robot] board = none from robot.ini"));
+    rows.push_back(Finding::of(Kind::kBoardNotExpected,
+                               boardName(board) + " answers on " + facts.port + ", but robot.ini says board = none",
+                               "remove [Robot] board = none from robot.ini"));
     return;
   }
   rows.push_back(Finding::ok(format("%s found, firmware 0x%02X", boardName(board).c_str(), board.firmware)));

@@ -86,7 +86,7 @@ TEST_F(FirstServo, LateRepliesOfAnyServoOpenNothing) {
   EXPECT_EQ(decoder.lateReplies(), 6U);
 }
 
-TEST_F(FirstServo, ALateReplyOfAnEarlierFirstServoIsNoReadingOfIts) {
+TEST_F(FirstServo, ALateReplyOfAnEarlierFirstServoDoesNotCount) {
   take(5, pollOf(22, 1500));
   take(1, pollOf(21, 3000));
   EXPECT_FALSE(decoder.answered()[0]);

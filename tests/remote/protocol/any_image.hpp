@@ -40,6 +40,7 @@ inline Sensors anyImage() {
   seen.board.motion = anyAge();
   seen.board.gyro[2] = RadPerSec{anyReal()};
   seen.board.buttons = *arbitrary<std::uint8_t>();
+  seen.board.absent = *arbitrary<bool>();
   seen.board.buttons_known = *arbitrary<bool>();
   seen.board.voltage = Volt{anyReal()};
   seen.board.led_eye = *arbitrary<std::uint16_t>();

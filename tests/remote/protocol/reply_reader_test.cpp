@@ -105,6 +105,7 @@ TEST(SensorBlock, KeepsWhatAControllerReads) {
   seen.joint[18].position = Rad{0.49854};
   seen.joint[19].polled.age = 1000;
   seen.board.buttons = 2;
+  seen.board.absent = true;
   seen.board.voltage = Volt{11.8};
   seen.safety.active.set(2);
   seen.safety.worst = Fault::kServoSilent;
@@ -115,6 +116,7 @@ TEST(SensorBlock, KeepsWhatAControllerReads) {
   EXPECT_FALSE(back.joint[19].motion.ever());
   EXPECT_FALSE(back.joint[17].position.known());
   EXPECT_EQ(back.board.buttons, 2);
+  EXPECT_TRUE(back.board.absent);
   EXPECT_NEAR(back.board.voltage.value, 11.8, 1e-6);
   EXPECT_EQ(back.safety.active, seen.safety.active);
   EXPECT_EQ(back.safety.worst, Fault::kServoSilent);
