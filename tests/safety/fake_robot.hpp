@@ -37,6 +37,7 @@ struct FakeServo {
 
 struct FakeRobot {
   std::array<FakeServo, kJoints> servo{};
+  bool board = true;  // false: servos alone, and `board_answers` is about the line
   bool board_answers = true;
   bool board_reply_lost = false;  // the servos' replies arrive, and it carries out what it receives
   bool servo_power = true;
@@ -101,12 +102,18 @@ struct FakeRobot {
     seen.silent = given_up;
     for (std::size_t i = 0; i < kJoints; ++i) readServo(i);
     BoardSensors& b = seen.board;
+    if (!board) return readWithoutBoard();
     if (!board_answers || board_reply_lost) return b.motion.missed();
     b.motion.received();
     b.servo_power = servo_power;
     b.voltage = Volt{volt};
     b.buttons = buttons;
     for (std::size_t a = 0; a < 3; ++a) b.accelerometer[a] = MeterPerSec2{acceleration[a]};
+  }
+
+  void readWithoutBoard() {
+    seen.board.absent = true;
+    board_answers&& servo_power ? seen.bus.received() : seen.bus.missed();
   }
 
   void readServo(std::size_t i) {

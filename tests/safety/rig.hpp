@@ -30,7 +30,8 @@ class Invariants {
     const bool nothing = safe.write() == Write::kNothing;
     if (nothing && (safe.driven().any() || safe.torqueOn().any() || safe.torqueOff().any()))
       wrong += "joints without a write; ";
-    const bool offline = !seen.board.motion.ever() || seen.board.motion.age > kAnswerPatience;
+    const Freshness& link = seen.board.absent ? seen.bus : seen.board.motion;
+    const bool offline = !link.ever() || link.age > kAnswerPatience;
     if (offline && (!nothing || safe.powerOn())) wrong += "sent while offline; ";
     if ((safe.torqueOn() & safe.torqueOff()).any()) wrong += "torque on and off at once; ";
     if ((safe.skipped() & safe.torqueOn()).any()) wrong += "torque on although it is uncertain where the goal is; ";

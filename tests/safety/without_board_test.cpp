@@ -90,6 +90,19 @@ TEST_F(WithoutBoard, EveryEepromIsLocked) {
     EXPECT_EQ(rig.robot.board().servo(static_cast<Joint>(i)).table().byte(servo::kLock), 1) << i;
 }
 
+TEST_F(WithoutBoard, EveryEepromIsLockedAgainAfterAnInterruptedSupply) {
+  drive();
+  cut(kAll, 500ms);
+  bool was_open = false;
+  for (int i = 0; i < 250; ++i) {
+    rig.cycle();
+    was_open = was_open || rig.robot.board().servo(Joint::kNeck).table().byte(servo::kLock) == 0;
+  }
+  EXPECT_TRUE(was_open) << "a servo that starts is not locked";
+  for (std::size_t i = 0; i < kJoints; ++i)
+    EXPECT_EQ(rig.robot.board().servo(static_cast<Joint>(i)).table().byte(servo::kLock), 1) << i;
+}
+
 class SilentServo : public WithoutBoard, public ::testing::WithParamInterface<Joint> {};
 
 TEST_P(SilentServo, OnlyCostsTheOthersMoments) {
@@ -272,6 +285,17 @@ TEST_F(WithoutBoard, AServoThatReturnsAloneAfterAnOutageIsFoundWhicheverItIs) {
     EXPECT_TRUE(other.seen().joint[only].motion.fresh()) << kJointTable[only].name;
     EXPECT_NE(other.state(), State::kOffline) << kJointTable[only].name;
   }
+}
+
+TEST_F(WithoutBoard, AServoThatIsSilentInTheFrontHidesNoneThatReturns) {
+  const Joints others = without({Joint::kNeck});
+  rig.cutSupply(others, Nanos{0}, 8s);
+  rig.cutSupply(~others, 7s, 3600s);
+  rig.run(430);
+  EXPECT_EQ(rig.seen().silent, others) << "the bus has given up all but one";
+  rig.run(200);
+  for (std::size_t i = 0; i < kJoints; ++i)
+    EXPECT_EQ(rig.seen().joint[i].motion.fresh(), others[i]) << kJointTable[i].name;
 }
 
 }  // namespace
