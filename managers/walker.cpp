@@ -70,12 +70,12 @@ void GaitWalker::step(int ms) {
 
 void GaitWalker::advance(double ms) {
   const bool walked = walk().walking();
-  // At rest the gyroscope is calibrated in any loop.
-  const bool balances = balance && (!walked || clock.roundMs() <= kBalanceRoundMs);
+  // At rest the gyroscope is calibrated in any loop. Servos without a board have none to wait for.
+  const bool balances = balance && gyro != nullptr && (!walked || clock.roundMs() <= kBalanceRoundMs);
   if (!player.advance(ms, pacedCommand(), balances, gyroReading())) return;
   motors.setGoals(player);
   if (!walked && walk().walking() && balance && !walk().isBalanceCalibrated())
-    warnOfGait(messages::kWalksWithoutBalance);
+    warnOfGait(gyro != nullptr ? messages::kWalksWithoutBalance : messages::kNoGyroscope);
   if (walk().resting()) motors.giveBack();
 }
 

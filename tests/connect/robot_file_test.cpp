@@ -76,6 +76,16 @@ TEST(RobotFile, WhatItDoesNotNameIsNotThere) {
   EXPECT_TRUE(robot.safety.named.none());
 }
 
+TEST(RobotFile, NoneIsTheOnlyBoardThatCanBeNamed) {
+  const RobotFile robot = parseRobotFile("[Robot]\nboard = None\n", "robot.ini");
+  EXPECT_TRUE(robot.permitted.no_board);
+  EXPECT_THAT(describe(robot), HasSubstr("no board"));
+  EXPECT_FALSE(parseRobotFile("[Robot]\nabsent =\n", "robot.ini").permitted.no_board);
+  for (const char* other : {"cm-730", "yes", ""})
+    EXPECT_THAT(errorIn(std::string{"[Robot]\nboard = "} + other + "\n"),
+                AllOf(StartsWith(text::where("robot.ini", 2)), HasSubstr("[Robot] board"), HasSubstr("none")));
+}
+
 TEST(RobotFile, NamesJointsThatTheRobotLacks) {
   const RobotFile robot = parseRobotFile("[Robot]\nabsent = neck , Head\n", "robot.ini");
   EXPECT_TRUE(robot.safety.absent[index(Joint::kNeck)] && robot.safety.absent[index(Joint::kHead)]);

@@ -139,6 +139,17 @@ TEST_F(GaitManager, AGyroscopeReadingIsUsedOnce) {
   EXPECT_NE(goals(), gait::kStanding.tick);
 }
 
+TEST_F(GaitManager, ARobotWithoutAGyroscopeWalksAtOnceWithoutBalance) {
+  fake.image.board = {};
+  fake.image.board.absent = true;
+  testing::internal::CaptureStderr();
+  standing().setBalanceEnable(true);
+  manager().start();
+  steps(2 + 1);
+  EXPECT_NE(goals(), gait::kStanding.tick) << "nothing to calibrate";
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(managers::messages::kNoGyroscope));
+}
+
 TEST_F(GaitManager, AMovedRobotWalksWithoutBalance) {
   standing().setBalanceEnable(true);
   fake.on_cycle = [this](std::uint64_t cycle) { fake.image.board.gyro[0] = RadPerSec{cycle % 2 == 0 ? 1.0 : -1.0}; };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <fstream>
 #include <set>
 
 #include "system/rig.hpp"
@@ -60,6 +62,14 @@ std::string position(const std::string& joint) {
   return joint + ".position [rad]";
 }
 
+/// In the second half of the drive: the right knee bends to over 1.2 rad; standing 0.93, in the air 1.47.
+int stepsIn(const Drive& drive) {
+  const std::vector<double> knee = drive.read(position("LegLowerR"));
+  int bends = 0;
+  for (std::size_t i = knee.size() / 2; i < knee.size(); ++i) bends += knee[i - 1] < 1.2 && knee[i] >= 1.2 ? 1 : 0;
+  return bends;
+}
+
 constexpr std::array<const char*, 12> kLegs{"PelvYR",    "PelvYL",    "PelvR",  "PelvL",  "LegUpperR", "LegUpperL",
                                             "LegLowerR", "LegLowerL", "AnkleR", "AnkleL", "FootR",     "FootL"};
 constexpr std::array<const char*, 8> kArmsAndHead{"ShoulderR", "ShoulderL", "ArmUpperR", "ArmUpperL",
@@ -76,10 +86,10 @@ class OnTheTwin : public Rig {
     EXPECT_EQ(running.wait(seconds{60}), 0) << running.output();
     return running.output();
   }
-  std::unique_ptr<Program> twinOnAPort() {
-    auto robot = std::make_unique<Program>(
-        std::vector<std::string>{program("darwinop-virtual-robot"), "--body", "twin", "--link", port()},
-        file("virtual-robot.txt"));
+  std::unique_ptr<Program> twinOnAPort(const std::string& board = "cm-730") {
+    auto robot = std::make_unique<Program>(std::vector<std::string>{program("darwinop-virtual-robot"), "--body", "twin",
+                                                                    "--link", port(), "--board", board},
+                                           file("virtual-robot.txt"));
     EXPECT_TRUE(robot->says("link:", seconds{10})) << robot->output();
     return robot;
   }
@@ -160,11 +170,20 @@ TEST_F(OnTheTwin, TheExampleWalksOverThePtyInRealTimeAndStands) {
   const auto robot = twinOnAPort();
   const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
   EXPECT_THAT(output, testing::Not(HasSubstr("fault 30")));
+  EXPECT_GE(stepsIn(Drive{file("log.csv")}), 4) << "a step every 0.6 s";
+}
+
+TEST_F(OnTheTwin, TheExampleWalksWithServosAloneAndDoesNotClaimToStand) {
+  const auto robot = twinOnAPort("none");
+  std::ofstream{file("robot.ini")} << "[Robot]\nboard = none\n";
+  setenv("DARWINOP_ROBOT_FILE", file("robot.ini").c_str(), 1);
+  const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
+  unsetenv("DARWINOP_ROBOT_FILE");
+  EXPECT_THAT(output, HasSubstr("nobody knows whether it stands"));
   const Drive log{file("log.csv")};
-  const std::vector<double> knee = log.read(position("LegLowerR"));
-  int bends = 0;  // over 1.2 rad; standing 0.93, in the air 1.47
-  for (std::size_t i = knee.size() / 2; i < knee.size(); ++i) bends += knee[i - 1] < 1.2 && knee[i] >= 1.2 ? 1 : 0;
-  EXPECT_GE(bends, 4) << "a step every 0.6 s";
+  EXPECT_GE(stepsIn(log), 4) << "a step every 0.6 s";
+  EXPECT_TRUE(log.read("accelerometer.z [m/s2]").empty());
+  EXPECT_TRUE(log.read("board.servo_power").empty());
 }
 
 TEST_F(OnTheTwin, AFallIsReportedByTheStatusOfTheDaemon) {
