@@ -266,7 +266,7 @@ std::string describe(const RobotFile& robot) {
   if (named > 0) text += ", " + std::to_string(named) + (named == 1 ? " setting" : " settings") + " of [Safety]";
   if (robot.permitted.board_model != RobotFile{}.permitted.board_model)
     text += ", board model " + std::to_string(robot.permitted.board_model);
-  if (robot.permitted.no_board) text += ", no board";
+  if (robot.permitted.no_board) text += messages::kHasNoBoard;
   if (!models.empty()) text += ", servo models:" + models;
   if (!absent.empty()) text += ", absent:" + absent;
   if (!limits.empty()) text += ", narrowed:" + limits;

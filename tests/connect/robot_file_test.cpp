@@ -79,7 +79,7 @@ TEST(RobotFile, WhatItDoesNotNameIsNotThere) {
 TEST(RobotFile, NoneIsTheOnlyBoardThatCanBeNamed) {
   const RobotFile robot = parseRobotFile("[Robot]\nboard = None\n", "robot.ini");
   EXPECT_TRUE(robot.permitted.no_board);
-  EXPECT_THAT(describe(robot), HasSubstr("no board"));
+  EXPECT_THAT(describe(robot), HasSubstr(messages::kHasNoBoard));
   EXPECT_FALSE(parseRobotFile("[Robot]\nabsent =\n", "robot.ini").permitted.no_board);
   for (const char* other : {"cm-730", "yes", ""})
     EXPECT_THAT(errorIn(std::string{"[Robot]\nboard = "} + other + "\n"),

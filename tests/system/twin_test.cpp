@@ -173,13 +173,12 @@ TEST_F(OnTheTwin, TheExampleWalksOverThePtyInRealTimeAndStands) {
   EXPECT_GE(stepsIn(Drive{file("log.csv")}), 4) << "a step every 0.6 s";
 }
 
-TEST_F(OnTheTwin, TheExampleWalksWithServosAloneAndDoesNotClaimToStand) {
+TEST_F(OnTheTwin, TheExampleWalksWithServosAlone) {
   const auto robot = twinOnAPort("none");
   std::ofstream{file("robot.ini")} << "[Robot]\nboard = none\n";
   setenv("DARWINOP_ROBOT_FILE", file("robot.ini").c_str(), 1);
-  const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
+  runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
   unsetenv("DARWINOP_ROBOT_FILE");
-  EXPECT_THAT(output, HasSubstr("nobody knows whether it stands"));
   const Drive log{file("log.csv")};
   EXPECT_GE(stepsIn(log), 4) << "a step every 0.6 s";
   EXPECT_TRUE(log.read("accelerometer.z [m/s2]").empty());
