@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cinttypes>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -67,13 +68,16 @@ void describe(CLI::App& app, Arguments& a) {
       "build/release/controllers/01_hello_head\n");
 }
 
-/// Prints all joint angles in one line, on SIGUSR1.
+/// Prints all joint angles in one line, and where the trunk of a body with physics is, on SIGUSR1.
 void printJoints(hil::PtyHost& host) {
   const darwinop::BodyState body = host.withRobot([](hil::VirtualRobot& robot) { return robot.body().state(); });
   std::printf("joints: %.2f s", std::chrono::duration<double>(host.now()).count());
   for (std::size_t i = 0; i < darwinop::kJoints; ++i)
     std::printf(" %s=%+.3f", std::string{darwinop::kJointTable[i].name}.c_str(), body.joint[i].position_rad);
-  std::printf(" rad\n");
+  std::printf(" rad");
+  if (!std::isnan(body.trunk_m[0]))
+    std::printf(" trunk_x=%+.3f trunk_y=%+.3f trunk_z=%+.3f m", body.trunk_m[0], body.trunk_m[1], body.trunk_m[2]);
+  std::printf("\n");
   std::fflush(stdout);
 }
 

@@ -79,7 +79,7 @@ start_virtual_robot() {
   ln -sfn robot "$vm/serial"
   alive "$vm/robot.pid" && return
   program=$(virtual_robot)
-  "$program" --link "$vm/robot" >"$vm/robot.log" 2>&1 </dev/null &
+  "$program" --link "$vm/robot" --body "${ROBOT_VM_BODY:-plain}" >"$vm/robot.log" 2>&1 </dev/null &
   echo $! >"$vm/robot.pid"
   for _ in $(seq 100); do [ -e "$vm/robot" ] && return; sleep 0.05; done
   die "the virtual robot did not start: $(cat "$vm/robot.log")"
@@ -176,7 +176,7 @@ cmd_ssh() {
   ssh_root "$@"
 }
 
-# Where the virtual robot's joints are, rad.
+# Where the virtual robot's joints are, rad, and with ROBOT_VM_BODY=twin its trunk, m.
 cmd_joints() {
   local lines
   alive "$vm/robot.pid" || die "no virtual robot runs here"

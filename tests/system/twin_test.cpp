@@ -132,6 +132,20 @@ TEST_F(OnTheTwin, SymmetryMovesTheSameJointsTheSameWayInLockstepAndOverThePty) {
   }
 }
 
+TEST_F(OnTheTwin, TheVirtualRobotReportsItsTrunkOnlyIfItsBodyHasOne) {
+  const auto twin = twinOnAPort();
+  twin->kill(SIGUSR1);
+  EXPECT_TRUE(twin->says(" m\n", seconds{10})) << twin->output();
+  EXPECT_THAT(twin->output(), HasSubstr(" rad trunk_x="));
+  EXPECT_THAT(twin->output(), HasSubstr(" trunk_z=+0.2"));  // 0.2 m: kneeling
+
+  Program plain{{program("darwinop-virtual-robot"), "--link", file("plain")}, file("plain.txt")};
+  ASSERT_TRUE(plain.says("body:", seconds{10})) << plain.output();
+  plain.kill(SIGUSR1);
+  EXPECT_TRUE(plain.says(" rad\n", seconds{10})) << plain.output();
+  EXPECT_THAT(plain.output(), testing::Not(HasSubstr("trunk")));
+}
+
 TEST_F(OnTheTwin, ARobotInTheStartPoseWithAllTorqueOffStaysThere) {
   const std::string output = runOn("twin", {DARWINOP_LIMP_CONTROLLER}, "log.csv");
   EXPECT_THAT(output, HasSubstr("20 motors are limp"));

@@ -46,7 +46,7 @@ said() { grep -q -e "$1" "$scratch/install.log" || fail "it did not say '$1'"; }
 
 # --- judged on this side of the cable -------------------------------------------------------------------------------
 
-# joint NAME: where the virtual robot's body has it, rad.
+# joint NAME: where the virtual robot's body has it, rad; trunk_x: its trunk, m.
 joint() { vm joints | tr ' ' '\n' | sed -n "s/^$1=//p"; }
 
 # moves SECONDS: within that time the head turns to both sides. hello_head takes it 0.6 rad to each in 4 s; what the

@@ -115,6 +115,7 @@ void RobotBody::Parts::publish() noexcept {
   for (std::size_t i = 0; i < kJoints; ++i) state.joint[i] = servos[i].report();
   state.gyro_rad_s = imu.gyro(*d, samples);
   state.accel_m_s2 = imu.accelerometer(*m, *d, samples);
+  mju_copy3(state.trunk_m.data(), d->qpos + map.trunk_qpos);
 }
 
 }  // namespace darwinop::twin
