@@ -28,7 +28,7 @@ void add(BodyCase& into, BodySetup setup, int rows, bool held_out, const Motion&
     of.file = log.file, of.kind = name(setup), of.held_out = held_out, of.joint = static_cast<Joint>(joint);
     of.supply_v = log.battery_v, of.session_start_s = log.session_start_s, of.time_s = log.time_s;
     for (const double time : log.time_s) {
-      const Commands now = motion(time);
+      const RowCommands now = motion(time);
       const double goal =
           std::clamp(now.goals[joint], radFromTicks(static_cast<std::uint16_t>(limits.low)).value + kFree,
                      radFromTicks(static_cast<std::uint16_t>(limits.high)).value - kFree);

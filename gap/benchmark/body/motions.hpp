@@ -13,12 +13,12 @@ using Goals = std::array<double, kJoints>;  // rad, in the order of ids
 inline constexpr double kPRegister = 32;
 
 /// What one row writes: goals, P register, limp joints.
-struct Commands {
+struct RowCommands {
   Goals goals;
   double p_register = kPRegister;
   std::array<bool, kJoints> limp{};
 };
-using Motion = std::function<Commands(double time_s)>;
+using Motion = std::function<RowCommands(double time_s)>;
 
 /// Limbs in the air, the trunk clamped. Sines in every joint at once.
 Motion sines(Rng& rng);

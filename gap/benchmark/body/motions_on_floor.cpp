@@ -31,7 +31,7 @@ Motion squats(Rng& rng) {
   const double hz = rng.between(0.45, 0.65), depth = rng.between(0.1, 0.16), side = rng.between(0.03, 0.06),
                arms = rng.between(0.3, 0.5);
   return [=](double t) {
-    Commands out{goalsOf(kStanding)};
+    RowCommands out{goalsOf(kStanding)};
     const double wave = 1 - std::cos(2 * kPi * hz * t);
     bend(out.goals, true, depth * wave), bend(out.goals, false, depth * wave);
     sway(out.goals, side * std::sin(3 * kPi * hz * t));
@@ -45,7 +45,7 @@ Motion sways(Rng& rng) {
   const double hz = rng.between(0.35, 0.6), side = rng.between(0.05, 0.075), lean = rng.between(0.02, 0.05),
                turn = rng.coin() ? rng.between(0.1, 0.25) : 0, p = rng.coin() ? 32 : 16;
   return [=](double t) {
-    Commands out{goalsOf(kStanding)};
+    RowCommands out{goalsOf(kStanding)};
     out.p_register = p;
     sway(out.goals, side * std::sin(2 * kPi * hz * t));
     bend(out.goals, true, lean * (1 - std::cos(3 * kPi * hz * t)));
@@ -61,7 +61,7 @@ Motion walk(Rng& rng) {
   const double hz = rng.between(1.5, 1.75), side = rng.between(0.09, 0.11), lift = rng.between(0.2, 0.28),
                stride = rng.between(-0.02, 0.06), turn = rng.between(-0.03, 0.03);
   return [=](double t) {
-    Commands out{goalsOf(kStanding)};
+    RowCommands out{goalsOf(kStanding)};
     const double phase = 2 * kPi * hz * t, grow = ramp(t, 0.6);
     sway(out.goals, grow * side * std::sin(phase));
     bend(out.goals, true, grow * lift * std::pow(std::max(0.0, std::sin(phase - 0.4)), 2));
@@ -77,7 +77,7 @@ Motion walk(Rng& rng) {
 }
 
 Motion stance() {
-  return [](double) { return Commands{goalsOf(kStanding)}; };
+  return [](double) { return RowCommands{goalsOf(kStanding)}; };
 }
 
 }  // namespace darwinop::gap

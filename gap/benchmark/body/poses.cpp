@@ -4,7 +4,7 @@
 
 namespace darwinop::gap {
 
-Goals goalsOf(const Pose& pose) {
+Goals goalsOf(const MirroredPose& pose) {
   const std::array right{pose.shoulder,  pose.arm_upper, pose.arm_lower, pose.pelvis_yaw, pose.pelvis,
                          pose.leg_upper, pose.leg_lower, pose.ankle,     pose.foot};
   Goals out{};
