@@ -22,6 +22,10 @@ int main(int argc, char** argv) {
 
   TouchSensor* mode = robot.getTouchSensor("ButtonMode");
   TouchSensor* start = robot.getTouchSensor("ButtonStart");
+  if (mode == nullptr) {
+    std::cerr << "Servos without a board have neither LEDs nor buttons." << std::endl;
+    return EXIT_FAILURE;
+  }
   mode->enable(time_step);
   start->enable(time_step);
   LED* eyes = robot.getLED("EyeLed");

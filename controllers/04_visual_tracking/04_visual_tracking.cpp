@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   const int time_step = static_cast<int>(robot.getBasicTimeStep());
   Camera* camera = robot.getCamera("Camera");
   camera->enable(2 * time_step);  // the camera gives 30 pictures a second
-  LED* eyes = robot.getLED("EyeLed");
+  LED* eyes = robot.getLED("EyeLed");  // null on servos without a board
   HeadJoint neck(robot.getMotor("Neck")), head(robot.getMotor("Head"));
 
   // Hue and tolerance in degrees, minimum saturation and value in percent; the ball covers 0 to 30 % of the picture.
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
     double x, y;
     const bool found = vision.getBallCenter(x, y, camera->getImage());
     ++steps;
-    eyes->set(found ? 0x00FF00 : 0xFF0000);
+    if (eyes != nullptr) eyes->set(found ? 0x00FF00 : 0xFF0000);
     if (found) {
       ++seen;
       last_seen = robot.getTime();

@@ -80,7 +80,7 @@ Player::Player()
       // Hue and tolerance in degrees, minimum saturation and value in percent; the ball covers 0 to 30 %.
       vision_(camera_->getWidth(), camera_->getHeight(), 28, 20, 50, 45, 0, 30) {
   camera_->enable(2 * time_step_);  // the camera gives 30 pictures a second
-  accelerometer_->enable(time_step_);
+  if (accelerometer_ != nullptr) accelerometer_->enable(time_step_);
 }
 
 bool Player::advance() {
@@ -173,6 +173,10 @@ void Player::getUpAfterAFall() {
 }
 
 void Player::play(double end) {
+  if (accelerometer_ == nullptr) {
+    std::cerr << "Servos without a board do not feel a fall: this robot does not play." << std::endl;
+    return;
+  }
   if (!gait_.isCorrectlyInitialized() || !motion_.isCorrectlyInitialized()) return;
   gait_.start();
   while (advance() && getTime() < end) {

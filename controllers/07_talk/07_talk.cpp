@@ -64,6 +64,10 @@ int main(int argc, char** argv) {
   Accelerometer* accelerometer = robot.getAccelerometer("Accelerometer");
   Gyro* gyro = robot.getGyro("Gyro");
   TouchSensor* button = robot.getTouchSensor("ButtonStart");
+  if (accelerometer == nullptr) {
+    std::cerr << "Servos without a board feel nothing that it could talk about." << std::endl;
+    return EXIT_FAILURE;
+  }
   accelerometer->enable(time_step);
   gyro->enable(time_step);
   button->enable(time_step);
