@@ -180,11 +180,14 @@ TEST_F(OnTheTwin, ARobotThatStandsAndReleasesTorqueFallsAndTheSafetyLayerReports
   EXPECT_EQ(log.atSecond(7.9, "safety.fault"), kFell);
 }
 
-TEST_F(OnTheTwin, TheExampleWalksOverThePtyInRealTimeAndStands) {
-  const auto robot = twinOnAPort();
-  const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
-  EXPECT_THAT(output, testing::Not(HasSubstr("fault 30")));
-  EXPECT_GE(stepsIn(Drive{file("log.csv")}), 4) << "a step every 0.6 s";
+TEST_F(OnTheTwin, TheExampleWalksOverThePtyInRealTimeAndStandsBehindEachBoard) {
+  for (const char* const board : {"cm-730", "cm-740"}) {
+    SCOPED_TRACE(board);
+    const auto robot = twinOnAPort(board);
+    const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
+    EXPECT_THAT(output, testing::Not(HasSubstr("fault 30")));
+    EXPECT_GE(stepsIn(Drive{file("log.csv")}), 4) << "a step every 0.6 s";
+  }
 }
 
 TEST_F(OnTheTwin, TheExampleWalksWithServosAlone) {
