@@ -392,6 +392,27 @@ inline constexpr double kFloorShare = 0.3;
 /// Cost of a sample of a right model: engines that differ widen the noise. A right model of the example cases had 0.43.
 inline constexpr double kFloorCostOfNoise = 0.5;
 
+// ---- Gyroscope against the kinematics of a stance foot (gap/identify/body/stance_gyro.cpp) ----
+//
+// From robots of two physics engines without an effect of the gyroscope, contacts of several kinds among them.
+
+/// rad/s. What a foot that stands turns by, and what the encoders add; on top of the sensor's own noise.
+inline constexpr double kStanceNoise = 0.042;
+/// rad/s. What it gives way by about its forward axis: with 0.11, soft floors looked like a scale of 1.17 to 1.3.
+inline constexpr double kStanceRoll = 0.3;
+/// rad/s. Rates of a foot that rolls or tips on an edge, or swings.
+inline constexpr double kStanceRocking = 1;
+/// Chance that a foot is in the next row in the same contact: contacts of a walk last some 0.1 s.
+inline constexpr double kStanceStay = 0.85;
+/// Rows that count as one: a foot gives way slowly. Rates of robots without an effect gained up to 10 in log
+/// likelihood by a scale of one axis; those with a scale of 0.86 or 0.79 gained 74 and more.
+inline constexpr double kStanceCorrelated = 3;
+/// s. Delays that count as none: without an effect, the likelihood had its maximum at -4 to 4 ms, 19 above that at 0.
+inline constexpr std::array kStanceTiming{-0.004, -0.002, 0.002, 0.004};
+/// Share of the log likelihood gained in a row of logs for fits that a row of held-out logs has to gain. No evidence
+/// yet.
+inline constexpr double kStanceHeldOut = 0.1;
+
 // ---- Simulation and block residuals (gap/plant) ----
 
 /// s. Rows on either side from which a speed is computed: a parabola through five rows of 16 ms. No evidence yet.

@@ -1,6 +1,8 @@
 // Effects that only recordings on the floor show: contact, trunk, and the inertial sensor in motion.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,14 @@ struct FloorEffect {
     bool is_fixed = false;  // never fitted
     bool is_logarithmic = false;
     double shown_offset = 0;  // of an answer
+
+    /// On the scale on which it is searched; and back, within its range.
+    [[nodiscard]] double inSearch(double value) const { return is_logarithmic ? std::log(value) : value; }
+    [[nodiscard]] double fromSearch(double x) const { return std::clamp(is_logarithmic ? std::exp(x) : x, low, high); }
+    /// In prior standard deviations; 0: none.
+    [[nodiscard]] double priorOf(double value) const {
+      return prior_sigma > 0 ? (value - prior_mean) / prior_sigma : 0;
+    }
   };
   std::string_view id, at;
   bool is_of_sensor = false;  // needs no simulation

@@ -23,20 +23,13 @@ const FloorEffect::Number& numberAt(const FloorSet& set, const FreeNumber& at) {
   return set[at.effect].effect->numbers[at.number];
 }
 
-double inSearch(const FloorEffect::Number& number, double value) {
-  return number.is_logarithmic ? std::log(value) : value;
-}
-double fromSearch(const FloorEffect::Number& number, double x) {
-  return std::clamp(number.is_logarithmic ? std::exp(x) : x, number.low, number.high);
-}
-
 /// Prior residuals of all numbers.
 std::vector<double> priorsOf(const FloorSet& set) {
   std::vector<double> out;
   for (const PlacedFloor& placed : set)
     for (std::size_t i = 0; i < placed.values.size(); ++i) {
       const FloorEffect::Number& number = placed.effect->numbers[i];
-      if (number.prior_sigma > 0) out.push_back((placed.values[i] - number.prior_mean) / number.prior_sigma);
+      if (number.prior_sigma > 0) out.push_back(number.priorOf(placed.values[i]));
     }
   return out;
 }
@@ -81,7 +74,7 @@ void FloorEvaluator::simulateMissing(const std::vector<FloorSet>& sets) {
 
 const FloorTraces& FloorEvaluator::tracesOf(const FloorSet& set) {
   const Key key = keyOf(set);
-  if (key.empty() && !traces_.contains(key)) traces_.emplace(key, residuals_->baseTraces());
+  if (key.empty() && !traces_.contains(key)) traces_.emplace(key, of_base_->baseTraces());
   simulateMissing({set});
   return traces_.at(key);
 }
@@ -110,13 +103,13 @@ FloorFit fitFloor(FloorEvaluator& evaluator, FloorSet set, int iterations) {
   const auto at = [&](const Eigen::VectorXd& x) {
     FloorSet out = fit.set;
     for (std::size_t i = 0; i < free.size(); ++i)
-      out[free[i].effect].values[free[i].number] = fromSearch(numberAt(out, free[i]), x[static_cast<Eigen::Index>(i)]);
+      out[free[i].effect].values[free[i].number] = numberAt(out, free[i]).fromSearch(x[static_cast<Eigen::Index>(i)]);
     return out;
   };
   Eigen::VectorXd x(n);
   for (std::size_t i = 0; i < free.size(); ++i)
     x[static_cast<Eigen::Index>(i)] =
-        inSearch(numberAt(fit.set, free[i]), fit.set[free[i].effect].values[free[i].number]);
+        numberAt(fit.set, free[i]).inSearch(fit.set[free[i].effect].values[free[i].number]);
   Eigen::VectorXd z = withPriors(fit.set, evaluator.residuals({fit.set}).front());
   fit.cost = robustCost(z);
   Eigen::MatrixXd information = Eigen::MatrixXd::Identity(n, n);
@@ -127,7 +120,7 @@ FloorFit fitFloor(FloorEvaluator& evaluator, FloorSet set, int iterations) {
     for (Eigen::Index i = 0; i < n; ++i) {
       const FloorEffect::Number& number = numberAt(fit.set, free[static_cast<std::size_t>(i)]);
       double step = number.step;
-      if (fromSearch(number, x[i] + step) == fromSearch(number, x[i])) step = -step;
+      if (number.fromSearch(x[i] + step) == number.fromSearch(x[i])) step = -step;
       steps.push_back(step);
       moved.push_back(at(x + step * Eigen::VectorXd::Unit(n, i)));
     }
@@ -152,8 +145,7 @@ FloorFit fitFloor(FloorEvaluator& evaluator, FloorSet set, int iterations) {
       if (!(cost < fit.cost)) continue;
       fit.set = next, z = z_next, fit.cost = cost;
       for (std::size_t i = 0; i < free.size(); ++i)
-        x[static_cast<Eigen::Index>(i)] =
-            inSearch(numberAt(next, free[i]), next[free[i].effect].values[free[i].number]);
+        x[static_cast<Eigen::Index>(i)] = numberAt(next, free[i]).inSearch(next[free[i].effect].values[free[i].number]);
       damping = std::max(1e-6, damping / 10);
       break;
     }

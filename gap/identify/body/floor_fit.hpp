@@ -14,7 +14,7 @@ namespace darwinop::gap {
 class FloorEvaluator {
  public:
   FloorEvaluator(const BodyCase& given, const FloorResiduals& residuals, FloorModel base)
-      : given_{given}, residuals_{&residuals}, base_{std::move(base)} {}
+      : given_{given}, residuals_{&residuals}, of_base_{&residuals}, base_{std::move(base)} {}
 
   [[nodiscard]] FloorModel modelOf(const FloorSet& set) const;
   /// Whitened.
@@ -31,6 +31,7 @@ class FloorEvaluator {
 
   const BodyCase& given_;
   const FloorResiduals* residuals_;
+  const FloorResiduals* of_base_;  // its base traces are those of `base_`
   FloorModel base_;
   std::map<Key, FloorTraces> traces_;
 };

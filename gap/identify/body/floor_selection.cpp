@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "gap/identify/body/floor_search.hpp"
-#include "gap/identify/body/held_out_motion.hpp"
 #include "gap/identify/body/mechanics_fit.hpp"
+#include "gap/identify/body/stance_selection.hpp"
 #include "gap/localize/absorb.hpp"
 #include "gap/localize/body/floor_rows.hpp"
 #include "gap/thresholds.hpp"
@@ -19,34 +19,6 @@ FloorSet setOf(const std::vector<FoundFloor>& found) {
   return out;
 }
 
-FloorErrors heldOutFloor(const BodyCase& given, const MovingImu& imu, const FloorModel& model) {
-  double squares[3] = {}, counts[3] = {};
-  const std::vector<std::size_t> logs = floorLogs(given, true);
-  const FloorTraces traces = simulateFloor(given, logs, {model.robot}).front();
-  const auto add = [&](int kind, const std::vector<double>& measured, const Eigen::VectorXd& expected) {
-    for (std::size_t row = 0; row < measured.size(); ++row) {
-      const double error = measured[row] - expected[static_cast<Eigen::Index>(row)];
-      if (!std::isnan(error)) squares[kind] += error * error, counts[kind] += 1;
-    }
-  };
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    const MovingImu::Readings sensed = imu.of(traces[i], model.imu);
-    for (std::size_t joint = 0; joint < kJoints; ++joint)
-      add(0, given.joint(logs[i], joint).position_rad, traces[i].position_rad.col(static_cast<Eigen::Index>(joint)));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto column = static_cast<Eigen::Index>(axis);
-      add(1, given.logs[logs[i]].gyro_rad_s[axis], sensed.gyro_rad_s.col(column));
-      add(2, given.logs[logs[i]].accel_m_s2[axis], sensed.accel_m_s2.col(column));
-    }
-  }
-  return {std::sqrt(squares[0] / counts[0]), std::sqrt(squares[1] / counts[1]), std::sqrt(squares[2] / counts[2])};
-}
-
-/// Geometric mean of the ratios; NaN: nothing is held out.
-double riseOf(const FloorErrors& after, const FloorErrors& before) {
-  return std::cbrt(after.joints / before.joints * after.gyro / before.gyro * after.accel / before.accel);
-}
-
 /// One selection, from the model as it is to the last name that earns its place.
 class FloorSearch {
  public:
@@ -55,29 +27,43 @@ class FloorSearch {
         ignored_{ignored},
         logs_{floorLogs(given, false)},
         imu_{given.joints.model},
-        residuals_{given, logs_, imu_, about, ignored},
+        stance_{given, imu_, about},
+        effects_{std::make_shared<const std::vector<FloorEffect>>(floorEffects(given.joints.model))},
+        of_gyro_{stance_.best(*effects_)},
+        about_{withGyro(about)},
+        residuals_{given, logs_, imu_, about_, ignored},
         open_from_{sigmasOfChance(thresholds::kFalseDiscoveries / static_cast<double>(other_rows + kFloorSignals))},
-        evaluator_{given, residuals_, about} {
-    out_.effects = std::make_shared<const std::vector<FloorEffect>>(floorEffects(given.joints.model));
-    out_.rows = out_.rows_after = rowsWith(residuals_, {});
-    out_.held_out_before = out_.held_out_after = heldOutFloor(given, imu_, about);
+        evaluator_{given, residuals_, about_} {
+    out_.effects = effects_;
+    out_.rows = rowsWith(residuals_, {}, about.imu), out_.rows_after = rowsWith(residuals_, {}, about_.imu);
+    before_ = out_.held_out_before = out_.held_out_after = heldOutFloor(given, imu_, about_);
+    if (of_gyro_) out_.held_out_before = heldOutFloor(given, imu_, about);
     excess_of_none_ = excessOf({});
   }
 
   FloorSelection run() {
-    while (isOpen(out_.rows_after) && out_.found.size() < thresholds::kMostFloorEffects && addNext()) {
+    while (isOpen(out_.rows_after) && out_.found.size() < thresholds::kMostFloorEffects && addNext()) useNoiseOfFound();
+    if (!out_.found.empty()) {
+      if (!isVerified(before_, out_.held_out_after, areOfSensors()))
+        dropAll();
+      else if (isOpen(out_.rows_after))
+        checkRemainder();
     }
-    if (out_.found.empty()) return std::move(out_);
-    if (!isVerified(out_.held_out_before, out_.held_out_after, areOfSensors()))
-      dropAll();
-    else if (isOpen(out_.rows_after))
-      checkRemainder();
+    if (of_gyro_) out_.found.insert(out_.found.begin(), *of_gyro_);
     return std::move(out_);
   }
 
  private:
+  /// The model with the effect that stance feet show.
+  [[nodiscard]] FloorModel withGyro(FloorModel model) const {
+    if (of_gyro_) of_gyro_->placed.effect->apply(model, of_gyro_->placed.values);
+    return model;
+  }
   std::vector<BodyRow> rowsWith(const FloorResiduals& residuals, const FloorSet& set) {
-    std::vector<BodyRow> rows = floorRows(given_, residuals, evaluator_.tracesOf(set), evaluator_.modelOf(set).imu);
+    return rowsWith(residuals, set, evaluator_.modelOf(set).imu);
+  }
+  std::vector<BodyRow> rowsWith(const FloorResiduals& residuals, const FloorSet& set, const ImuDeviation& imu) {
+    std::vector<BodyRow> rows = floorRows(given_, residuals, evaluator_.tracesOf(set), imu);
     for (BodyRow& row : rows) row.open = row.significance > open_from_;
     return rows;
   }
@@ -96,7 +82,12 @@ class FloorSearch {
   bool addNext() {
     const FloorSet now = setOf(out_.found);
     const double cost = costWith(now);
-    const std::vector<FloorCandidate> candidates = nextFloorEffects(evaluator_, *out_.effects, now, cost);
+    std::vector<FloorCandidate> candidates = nextFloorEffects(evaluator_, *effects_, now, cost);
+    // What stance feet show of a gyroscope needs no contact to be right.
+    std::erase_if(candidates, [&](const FloorCandidate& one) {
+      const FloorSet& set = one.fit.set;
+      return set.back().effect->is_of_sensor && (of_gyro_ || stance_.refutes(evaluator_.modelOf(set).imu));
+    });
     if (candidates.empty()) return false;
     const FloorCandidate& best = candidates.front();
     const double least =
@@ -122,43 +113,46 @@ class FloorSearch {
   void dropAll() {
     for (const FoundFloor& one : out_.found) out_.tried.push_back(one.placed);
     out_.found.clear();
-    out_.rows_after = out_.rows, out_.held_out_after = out_.held_out_before;
+    out_.rows_after = rowsWith(residuals_, {}), out_.held_out_after = before_;
   }
 
-  /// What is left may be chaos of the model that was found, which its own repeats show.
-  void checkRemainder() {
+  /// What is left may be chaos of the model that was found, which its own repeats and engines show: a further name has
+  /// to explain more.
+  void useNoiseOfFound() {
+    if (!isOpen(out_.rows_after)) return;
     const FloorSet found = setOf(out_.found);
-    const FloorResiduals about_found{given_, logs_, imu_, evaluator_.modelOf(found), ignored_};
-    evaluator_.useNoiseOf(about_found);
-    const double none = excessOf({}), left = excessOf(found);
-    out_.rows_after = rowsWith(about_found, found);
+    about_found_ = std::make_unique<FloorResiduals>(given_, logs_, imu_, evaluator_.modelOf(found), ignored_);
+    evaluator_.useNoiseOf(*about_found_);
+    out_.rows_after = rowsWith(*about_found_, found);
+    excess_of_none_ = excessOf({});
+  }
+
+  void checkRemainder() {
     // An effect of sensors answers for their rows alone, which follow the joints': what the limbs do is not its.
-    const bool is_explained = areOfSensors()
-                                  ? std::none_of(out_.rows_after.begin() + kJoints, out_.rows_after.end(), isOpenRow)
-                                  : left < (1 - thresholds::kExplainedGapShare) * none;
-    if (isOpen(out_.rows_after) && !is_explained) dropAll();
-    evaluator_.useNoiseOf(residuals_);
+    const bool is_explained =
+        areOfSensors() ? std::none_of(out_.rows_after.begin() + kJoints, out_.rows_after.end(), isOpenRow)
+                       : excessOf(setOf(out_.found)) < (1 - thresholds::kExplainedGapShare) * excess_of_none_;
+    if (!is_explained) dropAll();
   }
 
   const BodyCase& given_;
   const std::vector<Joint>& ignored_;
   const std::vector<std::size_t> logs_;
   const MovingImu imu_;
+  const StanceSelection stance_;
+  const std::shared_ptr<const std::vector<FloorEffect>> effects_;
+  std::optional<FoundFloor> of_gyro_;  // found first: by the kinematics of feet
+  const FloorModel about_;
   const FloorResiduals residuals_;
+  std::unique_ptr<FloorResiduals> about_found_;  // noise of what was found, where rows are still open
   const double open_from_;
   FloorEvaluator evaluator_;
   FloorSelection out_;
+  FloorErrors before_;  // on held-out logs, of about_
   double excess_of_none_ = 0;
 };
 
 }  // namespace
-
-bool isVerified(const FloorErrors& before, const FloorErrors& after, bool by_gyro) {
-  const double noise = by_gyro ? stepOf(ImuSensor::kGyro) * std::hypot(0.5, 1 / std::sqrt(12.0)) : kEncoderNoise;
-  const double from = by_gyro ? before.gyro : before.joints, to = by_gyro ? after.gyro : after.joints;
-  const bool remains = to > thresholds::kRemainingFloors * noise;
-  return !remains || to * to - noise * noise < (1 - thresholds::kExplainedGapShare) * (from * from - noise * noise);
-}
 
 FloorSelection identifyFloor(const BodyCase& given, const FloorModel& about, const std::vector<Joint>& ignored,
                              std::size_t other_rows) {

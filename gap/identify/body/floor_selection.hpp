@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "gap/identify/body/floor_errors.hpp"
 #include "gap/identify/body/floor_fit.hpp"
 #include "gap/localize/body/body_table.hpp"
 
@@ -13,16 +14,6 @@ struct FoundFloor {
   std::vector<double> sigmas;       // of its values; 0: not fitted
   std::vector<PlacedFloor> rivals;  // that the data do not exclude, best first
 };
-
-/// Rms of the residuals on held-out logs on the floor: joints in rad, sensors in their units. NaN: there are none.
-struct FloorErrors {
-  double joints = 0, gyro = 0, accel = 0;
-};
-
-/// False: held-out logs show that the names stand for something else. More than kRemainingFloors remain, and less than
-/// kExplainedGapShare of the square of what is beyond noise is gone. `by_gyro`: only sensors deviate, which no joint
-/// shows.
-bool isVerified(const FloorErrors& before, const FloorErrors& after, bool by_gyro);
 
 struct FloorSelection {
   std::shared_ptr<const std::vector<FloorEffect>> effects;  // that are looked for

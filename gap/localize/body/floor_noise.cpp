@@ -38,17 +38,6 @@ std::vector<FloorHypothesis> otherEngines(const FloorHypothesis& about) {
   return out;
 }
 
-/// Standard deviation of one reading of a sensor: what clamped logs show, or that of its register.
-Eigen::Vector3d sensorNoise(const BodyCase& given, ImuSensor sensor) {
-  Eigen::Vector3d square = Eigen::Vector3d::Zero();
-  const std::vector<RestingReading> readings = restingReadings(given, sensor, false);
-  for (const RestingReading& reading : readings)
-    square += reading.scatter.cwiseAbs2() / static_cast<double>(readings.size());
-  const double step = stepOf(sensor);
-  return readings.empty() ? Eigen::Vector3d::Constant(step * std::hypot(0.5, 1 / std::sqrt(12.0)))
-                          : Eigen::Vector3d{square.cwiseSqrt()};
-}
-
 Eigen::MatrixXd finiteOf(const Eigen::MatrixXd& of) {
   return of.unaryExpr([](double value) { return std::isfinite(value) ? value : 0.0; });
 }
@@ -125,8 +114,8 @@ void FloorResiduals::setSigma(Eigen::MatrixXd& repeats) {
   }
   variance =
       smoothedBlocks(variance, blocks_, thresholds::kNoiseVarianceHalfWindow) * ((2 * kHalf + 1.0) / (2 * kHalf));
-  const Eigen::Vector3d gyro = sensorNoise(given_, ImuSensor::kGyro),
-                        accel = sensorNoise(given_, ImuSensor::kAccelerometer);
+  const Eigen::Vector3d gyro = readingNoise(given_, ImuSensor::kGyro),
+                        accel = readingNoise(given_, ImuSensor::kAccelerometer);
   const double tick = 2 * kPi / 4096 / std::sqrt(12.0);
   for (const FloorSamples& block : blocks_) {
     auto own = variance.segment(block.begin, block.rows).array();

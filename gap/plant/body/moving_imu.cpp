@@ -44,6 +44,10 @@ MovingImu::MovingImu(const twin::Model& model) : period_s_{model.servo.firmware_
   gyro_axes_ = matrixOf(mounted.gyro), accel_axes_ = matrixOf(mounted.accelerometer);
 }
 
+Eigen::Matrix3d MovingImu::gyroMatrix(const ImuDeviation& deviation) const {
+  return distortion(deviation.gyro, deviation.accel.rotation, gyro_axes_);
+}
+
 MovingImu::Readings MovingImu::of(const FloorTrace& trace, const ImuDeviation& deviation) const {
   const double late = deviation.delay_s / period_s_;
   const Eigen::Vector3d& board = deviation.accel.rotation;
@@ -57,7 +61,7 @@ MovingImu::Readings MovingImu::of(const FloorTrace& trace, const ImuDeviation& d
     rates = &slow;
   }
   Readings out{atRows(*rates, trace.cycle_of_row, late), atRows(trace.accel_m_s2, trace.cycle_of_row, late)};
-  out.gyro_rad_s *= distortion(deviation.gyro, board, gyro_axes_).transpose();
+  out.gyro_rad_s *= gyroMatrix(deviation).transpose();
   out.gyro_rad_s.rowwise() += deviation.gyro.bias.transpose();
   out.gyro_rad_s = out.gyro_rad_s.cwiseMin(deviation.range_rad_s).cwiseMax(-deviation.range_rad_s);
   out.accel_m_s2 *= distortion(deviation.accel, board, accel_axes_).transpose();

@@ -25,6 +25,8 @@ class MovingImu {
     Eigen::MatrixX3d gyro_rad_s, accel_m_s2;  // rows of the log x axes of the sensor
   };
   [[nodiscard]] Readings of(const FloorTrace& trace, const ImuDeviation& deviation) const;
+  /// From the rate that an ideal gyroscope reads to what this one reads, without bias, filter and limit.
+  [[nodiscard]] Eigen::Matrix3d gyroMatrix(const ImuDeviation& deviation) const;
 
  private:
   Eigen::Matrix3d gyro_axes_, accel_axes_;  // rows: the sensor's axes in the trunk's frame

@@ -86,6 +86,14 @@ std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sen
   return out;
 }
 
+Eigen::Vector3d readingNoise(const BodyCase& given, ImuSensor sensor) {
+  const std::vector<RestingReading> readings = restingReadings(given, sensor, false);
+  if (readings.empty()) return Eigen::Vector3d::Constant(stepOf(sensor) * std::hypot(0.5, 1 / std::sqrt(12.0)));
+  Eigen::Vector3d square = Eigen::Vector3d::Zero();
+  for (const RestingReading& one : readings) square += one.scatter.cwiseAbs2() / static_cast<double>(readings.size());
+  return square.cwiseSqrt();
+}
+
 RestingImu::RestingImu(const twin::Model& model) : settings_{model.imu} {
   const twin::ImuAxes mounted = twin::imuAxesOf(model);
   gravity_m_s2_ = mounted.gravity_m_s2;

@@ -33,6 +33,9 @@ struct RestingReading {
 /// Mean readings of the clamped logs that are held out, or of the others.
 std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor, bool held_out);
 
+/// Standard deviation of one reading, for x, y and z: what clamped logs for fits show, or that of its register.
+Eigen::Vector3d readingNoise(const BodyCase& given, ImuSensor sensor);
+
 /// What a resting sensor of the model reads.
 class RestingImu {
  public:

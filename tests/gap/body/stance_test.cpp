@@ -1,0 +1,81 @@
+// Effects of the gyroscope by the kinematics of the feet that stand.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "gap/body/standing_robot.hpp"
+#include "gap/identify/body/stance_selection.hpp"
+#include "support/shared_data.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+struct StanceAnswer {
+  std::string id;
+  std::vector<double> values;
+};
+
+StanceAnswer stanceAnswer(const BodyCase& given, const FloorModel& about) {
+  const MovingImu imu{given.joints.model};
+  const std::vector<FloorEffect> effects = floorEffects(given.joints.model);
+  const std::optional<FoundFloor> found = StanceSelection{given, imu, about}.best(effects);
+  return found ? StanceAnswer{std::string{found->placed.effect->id}, found->placed.values} : StanceAnswer{"none", {}};
+}
+
+/// Of a robot on a slippery, soft and tilted floor, which the answer does not know.
+StanceAnswer onAnotherFloor(const ImuDeviation& imu) {
+  FloorModel hidden = shippedOnFloor();
+  hidden.imu = imu;
+  hidden.robot.floor.friction_factor = 0.4, hidden.robot.floor.contact_time_factor = 1.5;
+  hidden.robot.floor.tilt_rad = {0.02, 0.01};
+  return stanceAnswer(standingRobot(hidden), shippedOnFloor());
+}
+
+TEST(Stance, AFloorAndItsContactsHaveNoNameOfTheGyroscope) {
+  EXPECT_EQ(onAnotherFloor({}).id, "none");
+}
+
+TEST(Stance, AScaleIsNamedWhateverTheFloor) {
+  ImuDeviation imu;
+  imu.gyro.scale = {1, 1.15, 1};  // pitch: the hips lean
+  const StanceAnswer answer = onAnotherFloor(imu);
+  ASSERT_EQ(answer.id, "gyro_scale");
+  EXPECT_EQ(answer.values[0], 1);
+  EXPECT_NEAR(answer.values[1], 1.15, 0.03);
+}
+
+TEST(Stance, AFilterADelayALimitAndAReversedAxisAreDistinguished) {
+  ImuDeviation slow, late, limited, reversed;
+  slow.lowpass_s = 0.03, late.delay_s = 0.04, limited.range_rad_s = 0.5;
+  reversed.gyro.map(1, 1) = -1;
+  const StanceAnswer of_slow = onAnotherFloor(slow), of_late = onAnotherFloor(late), of_limit = onAnotherFloor(limited);
+  EXPECT_EQ(of_slow.id, "gyro_lowpass");
+  EXPECT_NEAR(of_slow.values.at(0), 0.03, 0.006);
+  EXPECT_EQ(of_late.id, "imu_delay");
+  EXPECT_NEAR(of_late.values.at(0), 0.04, 0.006);
+  EXPECT_EQ(of_limit.id, "gyro_range");
+  EXPECT_NEAR(of_limit.values.at(0), 0.5, 0.05);
+  EXPECT_EQ(onAnotherFloor(reversed).id, "gyro_axes");
+}
+
+TEST(Stance, AScaleThatThisRobotDoesNotHaveIsRefuted) {
+  const BodyCase given = standingRobot(shippedOnFloor());
+  const MovingImu imu{given.joints.model};
+  const StanceSelection stance{given, imu, shippedOnFloor()};
+  ImuDeviation scaled;
+  scaled.gyro.scale = {1, 1.15, 1};
+  EXPECT_TRUE(stance.refutes(scaled));
+}
+
+// Robots of another simulator, in which the gyroscope has at most a bias or a turned board.
+TEST(Stance, ExampleCasesWithoutSuchAnEffectHaveNoName) {
+  if (!std::filesystem::exists(sharedData("body-gap-cases"))) GTEST_SKIP() << "no example cases";
+  for (const auto& folder : std::filesystem::directory_iterator{sharedData("body-gap-cases") / "cases"}) {
+    const BodyCase given = readBodyCase(folder.path().string());
+    const FloorModel about{.robot = {.robot = {bodyBaselineOf(given), {}}, .floor = {}}};
+    EXPECT_EQ(stanceAnswer(given, about).id, "none") << folder;
+  }
+}
+
+}  // namespace
+}  // namespace darwinop::gap
