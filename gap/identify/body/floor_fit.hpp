@@ -13,8 +13,8 @@ namespace darwinop::gap {
 /// Residuals of models with some effects. Simulates each model once: those that differ in sensors only share it.
 class FloorEvaluator {
  public:
-  FloorEvaluator(const BodyCase& given, const FloorResiduals& residuals, FloorModel base)
-      : given_{given}, residuals_{&residuals}, of_base_{&residuals}, base_{std::move(base)} {}
+  FloorEvaluator(const FloorResiduals& residuals, FloorModel base)
+      : residuals_{&residuals}, of_base_{&residuals}, base_{std::move(base)} {}
 
   [[nodiscard]] FloorModel modelOf(const FloorSet& set) const;
   /// Whitened.
@@ -29,7 +29,6 @@ class FloorEvaluator {
   [[nodiscard]] static Key keyOf(const FloorSet& set);
   void simulateMissing(const std::vector<FloorSet>& sets);
 
-  const BodyCase& given_;
   const FloorResiduals* residuals_;
   const FloorResiduals* of_base_;  // its base traces are those of `base_`
   FloorModel base_;

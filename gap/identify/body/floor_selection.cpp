@@ -33,7 +33,7 @@ class FloorSearch {
         about_{withGyro(about)},
         residuals_{given, logs_, imu_, about_, ignored},
         open_from_{sigmasOfChance(thresholds::kFalseDiscoveries / static_cast<double>(other_rows + kFloorSignals))},
-        evaluator_{given, residuals_, about_} {
+        evaluator_{residuals_, about_} {
     out_.effects = effects_;
     out_.rows = rowsWith(residuals_, {}, about.imu), out_.rows_after = rowsWith(residuals_, {}, about_.imu);
     before_ = out_.held_out_before = out_.held_out_after = heldOutFloor(given, imu_, about_);
