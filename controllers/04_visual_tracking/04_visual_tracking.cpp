@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   Robot robot;
   const int time_step = static_cast<int>(robot.getBasicTimeStep());
   Camera* camera = robot.getCamera("Camera");
-  camera->enable(2 * time_step);  // the camera gives 30 pictures a second
+  camera->enable(2 * time_step);       // the camera gives 30 pictures a second
   LED* eyes = robot.getLED("EyeLed");  // null on servos without a board
   HeadJoint neck(robot.getMotor("Neck")), head(robot.getMotor("Head"));
 

@@ -18,8 +18,8 @@ constexpr double kMaxPhase = 0.25;
 constexpr double kMaxDamping = 0.25;
 constexpr int kMaxSteps = 1000;
 constexpr double kMinInertia = 1e-6;  // kg m2
-// Minimum inertia of an arm, as a share of the rotor's, which is known to 10 % at best. A massless arm follows the gears
-// anyway, but its oscillation at the teeth would set the step: 1000 sub-steps of a firmware period instead of 50.
+// Minimum inertia of an arm, as a share of the rotor's, which is known to 10 % at best. A massless arm follows the
+// gears anyway, but its oscillation at the teeth would set the step: 1000 sub-steps of a firmware period instead of 50.
 constexpr double kMinArmShare = 0.01;
 
 struct Spring {
