@@ -38,7 +38,7 @@ bool isVerified(const FloorErrors& before, const FloorErrors& after, bool by_gyr
   const double noise = by_gyro ? stepOf(ImuSensor::kGyro) * std::hypot(0.5, 1 / std::sqrt(12.0)) : kEncoderNoise;
   const double from = by_gyro ? before.gyro : before.joints, to = by_gyro ? after.gyro : after.joints;
   const bool remains = to > thresholds::kRemainingFloors * noise;
-  return !remains || to * to - noise * noise < (1 - thresholds::kExplainedGapShare) * (from * from - noise * noise);
+  return !remains || to < thresholds::kHopelessGapShare * from;
 }
 
 }  // namespace darwinop::gap
