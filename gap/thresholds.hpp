@@ -350,6 +350,11 @@ inline constexpr double kMechanicsShare = 0.1;
 /// The same, of what was beyond noise before the first effect: a large effect that is modelled nearly right leaves a
 /// little, after a release above all. A friction that moved an arm by 0.2 rad left 7e-5.
 inline constexpr double kMechanicsRemainder = 0.002;
+/// Squared change of a log's residuals, in sigmas, from which the log may refute an effect by losing half of it: a
+/// right one would gain all of it, with a standard deviation of twice its root, so that it loses half by chance in
+/// 1e-4. A link of -0.01 kg that chaos of one release suggested in another physics lost 0.6 and 0.8 of 40 in two other
+/// logs; the effects of the example cases gain in every log.
+inline constexpr double kDecidingChange = 25;
 /// Ratio of held-out errors from which an effect of the mechanics worsens them and is dropped: repeats differ by 1 %.
 inline constexpr double kHeldOutRise = 1.03;
 /// Effects of the mechanics that are looked for. From the specification (two, and a spare).

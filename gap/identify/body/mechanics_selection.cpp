@@ -5,6 +5,7 @@
 
 #include "gap/identify/body/controller_selection.hpp"
 #include "gap/identify/body/held_out_motion.hpp"
+#include "gap/identify/body/log_agreement.hpp"
 #include "gap/identify/body/mechanics_screen.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"
@@ -177,7 +178,9 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
     const double unseen = heldOutError(robot, with(robot, effectsOf(without)));
     out.found.push_back(std::move(one));
     refit(robot, out.found);
-    if (heldOutError(robot, with(robot, effectsOf(out.found))) > thresholds::kHeldOutRise * unseen) {
+    const BodyHypothesis before_it = with(robot, effectsOf(without)), with_it = with(robot, effectsOf(out.found));
+    if (anyLogRefutes(robot, limbs, before_it, with_it) ||
+        heldOutError(robot, with_it) > thresholds::kHeldOutRise * unseen) {
       out.tried.push_back(out.found.back().placed);
       out.found = without;
       robot.renew(limbs, with(robot, effectsOf(without)));
