@@ -14,6 +14,7 @@
 #include "gap/report/data_hash.hpp"
 #include "gap_commands.hpp"
 #include "gap_files.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -64,7 +65,7 @@ int runBody(const Arguments& given) {
   std::cout << (given.json ? jsonText(report.answer, 1) + "\n" : asText(found));
   for (const std::string& sentence : report.left_out) std::cerr << "darwinop gap: " << sentence << '\n';
   if (!given.out.empty()) {
-    writeTo(given.out, report.model_after);
+    writeTextFile(given.out, report.model_after);
     std::cerr << "darwinop gap: " << given.out << " is the model with the effects; the twin reads it\n";
   }
   if (!given.no_report) {
@@ -85,7 +86,7 @@ int addToBody(const Arguments& given) {
   if (given.out.empty())
     std::cout << text;
   else
-    writeTo(given.out, text);
+    writeTextFile(given.out, text);
   for (const AddedEffect& effect : added.additions.effects)
     std::cerr << "darwinop gap: " << effect.id << " at "
               << (effect.joints.empty() ? "all joints" : placesText(effect.joints)) << " added\n";

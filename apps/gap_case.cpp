@@ -1,9 +1,6 @@
 // Recordings of the robot as a case.
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -11,6 +8,7 @@
 #include "gap/case/robot/joint_case.hpp"
 #include "gap/case/write_case.hpp"
 #include "gap_commands.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -20,13 +18,6 @@ Joint jointCalled(const std::string& name) {
   if (row == kJointTable.end())
     throw std::runtime_error("there is no joint '" + name + "'; docs/logs.md has their names, such as ShoulderR");
   return static_cast<Joint>(row - kJointTable.begin());
-}
-
-void writeText(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
 }
 
 int fromRaw(const Arguments& given, const std::string& folder) {
@@ -39,8 +30,8 @@ int toBam(const Arguments& given) {
   const Case read = readCase(given.to_bam);
   std::filesystem::create_directories(given.out);
   for (const Trajectory& log : read.logs)
-    writeText(std::filesystem::path{given.out} / std::filesystem::path{log.file}.stem().concat(".json"),
-              asBamJson(read, log, read.model.name));
+    writeTextFile(std::filesystem::path{given.out} / std::filesystem::path{log.file}.stem().concat(".json"),
+                  asBamJson(read, log, read.model.name));
   return 0;
 }
 

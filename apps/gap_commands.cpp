@@ -1,10 +1,7 @@
 #include "gap_commands.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +12,7 @@
 #include "gap/export/targets.hpp"
 #include "gap/parallel/ranks.hpp"
 #include "gap/report/results.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -22,11 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void write(const std::string& path, const std::string& text) {
-  if (!Ranks::isFirst()) return;
-  std::ofstream file{path};
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+  if (Ranks::isFirst()) writeTextFile(path, text);
 }
 
 /// "coulomb", "coulomb:2", "stribeck.friction=0.05"; several of the last kind for one effect belong together.

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -58,13 +57,6 @@ std::string textOf(const std::string& path) {
   const std::optional<std::string> text = readTextFile(path, kLongestText);
   if (!text) throw std::runtime_error("cannot read " + path + ": " + std::strerror(errno));
   return *text;
-}
-
-void writeTo(const std::string& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
 std::string reportFolder(const Arguments& given, const std::string& otherwise) {

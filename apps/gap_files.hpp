@@ -9,7 +9,6 @@ namespace darwinop::gap {
 
 /// Throws std::runtime_error with the path and the reason.
 std::string textOf(const std::string& path);
-void writeTo(const std::string& path, const std::string& text);
 
 /// That of --report, else one under gap-report that is named after `otherwise`.
 std::string reportFolder(const Arguments& given, const std::string& otherwise);

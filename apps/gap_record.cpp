@@ -4,7 +4,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -17,6 +16,7 @@
 #include "gap/record/recording_check.hpp"
 #include "gap_commands.hpp"
 #include "hal/process/child_process.hpp"
+#include "hal/write_text_file.hpp"
 #include "safety/config.hpp"
 
 namespace darwinop::gap {
@@ -159,10 +159,7 @@ int recordBody(const Arguments& asked) {
     }
   const auto kind = robot.kind == RobotKind::kTwin ? RecordedRobot::kSimulated : RecordedRobot::kPhysical;
   const std::string name = fs::path{given.out}.lexically_normal().filename().string();
-  std::ofstream out{file};
-  out << bodyCaseJson(name.empty() ? "robot" : name, model, kind, recorder.made());
-  out.close();
-  if (!out) throw std::runtime_error("cannot write " + file.string());
+  writeTextFile(file.string(), bodyCaseJson(name.empty() ? "robot" : name, model, kind, recorder.made()));
   std::cerr << "darwinop gap: " << given.out << " is the case; next: darwinop gap run " << given.out << '\n';
   return 0;
 }

@@ -15,6 +15,7 @@
 #include "gap_commands.hpp"
 #include "gap_files.hpp"
 #include "gap_progress.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -86,7 +87,7 @@ int run(const Arguments& given) {
   if (!Ranks::isFirst()) return code;
   std::cout << (given.json ? jsonText(asJson(read, outcome), 1) + "\n" : asText(report)) << std::flush;
   if (!given.out.empty()) {
-    writeTo(given.out, report.model_after);
+    writeTextFile(given.out, report.model_after);
     std::cerr << "darwinop gap: " << given.out << " is the model with the effects; the twin reads it\n";
   }
   if (!given.no_report) deliver(report, given, folder);
@@ -115,7 +116,7 @@ int addEffects(const Arguments& given) {
   if (given.out.empty())
     std::cout << text;
   else
-    writeTo(given.out, text);
+    writeTextFile(given.out, text);
   for (const AddedEffect& effect : additions.effects)
     std::cerr << "darwinop gap: " << effect.id << (hasEffect(before, effect.id) ? " replaced\n" : " added\n");
   return 0;

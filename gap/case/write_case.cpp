@@ -2,16 +2,14 @@
 #include "gap/case/write_case.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "gap/case/baseline_keys.hpp"
 #include "gap/case/fields.hpp"
 #include "gap/case/parts.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -119,13 +117,6 @@ Json logsOf(const Case& c) {
   return list;
 }
 
-void write(const fs::path& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
-}
-
 }  // namespace
 
 bool fitsBaseline(const Case& c) {
@@ -178,13 +169,13 @@ void writeCase(const Case& c, const std::string& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   const bool plain = fitsBaseline(c);
-  write(fs::path{folder} / "case.json", caseAsJson(c, !plain));
-  if (!plain) write(fs::path{folder} / "model.ini", twin::writeModel(c.model));
+  writeTextFile(fs::path{folder} / "case.json", caseAsJson(c, !plain));
+  if (!plain) writeTextFile(fs::path{folder} / "model.ini", twin::writeModel(c.model));
   for (const std::vector<Trajectory>* const logs : {&c.logs, &c.others})
     for (const Trajectory& log : *logs) {
       const fs::path path = fs::path{folder} / log.file;
       fs::create_directories(path.parent_path(), failed);
-      write(path, logAsCsv(log));
+      writeTextFile(path, logAsCsv(log));
     }
 }
 

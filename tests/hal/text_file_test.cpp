@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
+#include "hal/write_text_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::settings {
@@ -69,6 +72,18 @@ TEST_F(TextFile, AFolderIsRefused) {
 
 TEST_F(TextFile, OfNothingIsEmpty) {
   EXPECT_EQ(readTextFile("/dev/null"), "");
+}
+
+TEST(WriteTextFile, ReplacesTheContentAndNamesPathAndReasonWhereItCannot) {
+  const TemporaryFolder folder;
+  writeTextFile(folder / "a.txt", "a longer text\n");
+  writeTextFile(folder / "a.txt", "short\n");
+  EXPECT_EQ(readTextFile(folder / "a.txt"), "short\n");
+  EXPECT_THAT([&] { writeTextFile(folder / "a.txt/b", ""); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  testing::HasSubstr((folder / "a.txt/b") + ": " + std::strerror(ENOTDIR))));
+  EXPECT_THAT([] { writeTextFile("/dev/full", "no room"); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(std::strerror(ENOSPC))));
 }
 
 }  // namespace

@@ -1,14 +1,12 @@
 #include "gap/benchmark/body/body_key.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
 #include "hal/text_file.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -81,10 +79,7 @@ BodyKeyEffect bodyKeyEffect(const Json& json) {
 void writeBodyKeys(const BodyKeys& keys, const std::string& path) {
   Json all = Json::object();
   for (const auto& [name, key] : keys) all[name] = jsonOf(key);
-  std::ofstream file{path, std::ios::binary};
-  file << all.dump(1) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+  writeTextFile(path, all.dump(1) + "\n");
 }
 
 BodyKeys readBodyKeys(const std::string& path) {

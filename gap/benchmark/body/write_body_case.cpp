@@ -1,15 +1,13 @@
 #include "gap/benchmark/body/write_body_case.hpp"
 
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "gap/plant/body/limb_parts.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -18,13 +16,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDecimals = 4;
 constexpr std::size_t kSlowRows = 60;  // rows between readings of voltage and temperature
-
-void write(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
-}
 
 /// Four decimals, trailing zeros left out; NaN: nothing.
 void append(std::string& line, double value) {
@@ -97,8 +88,8 @@ Json jsonOf(const BodyCase& given) {
 void writeBodyCase(const BodyCase& given, const std::string& folder) {
   const std::filesystem::path path{folder};
   std::filesystem::create_directories(path);
-  write(path / "case.json", jsonOf(given).dump(1) + "\n");
-  for (std::size_t i = 0; i < given.logs.size(); ++i) write(path / given.logs[i].file, recordingOf(given, i));
+  writeTextFile(path / "case.json", jsonOf(given).dump(1) + "\n");
+  for (std::size_t i = 0; i < given.logs.size(); ++i) writeTextFile(path / given.logs[i].file, recordingOf(given, i));
 }
 
 }  // namespace darwinop::gap

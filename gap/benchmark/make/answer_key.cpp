@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +10,7 @@
 #include <string_view>
 
 #include "hal/text_file.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -98,10 +96,7 @@ Key keyOf(const Json& json) {
 void writeKeys(const Keys& keys, const std::string& path) {
   Json all = Json::object();
   for (const auto& [name, key] : keys) all[name] = jsonOf(key);
-  std::ofstream file{path, std::ios::binary};
-  file << all.dump(1) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+  writeTextFile(path, all.dump(1) + "\n");
 }
 
 Keys readKeys(const std::string& path) {
