@@ -94,15 +94,7 @@ void SoftBody::place() {
 }
 
 void SoftBody::writeRow(std::size_t row) {
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    const Trajectory& rows = rowsOf(i);
-    ServoDrive& drive = drives_[i];
-    drive.torque_on = rows.torque_on[row] != 0;
-    drive.goal_rad = rows.goal_rad[row];
-    drive.speed_limit_rad_s = std::numeric_limits<double>::infinity();
-    drive.torque_limit = 1;
-    drive.p_gain = rows.pRegisterAt(row) / kPRegisterPerKp;
-  }
+  for (std::size_t i = 0; i < kJoints; ++i) takeRow(rowsOf(i), row, drives_[i]);
 }
 
 void SoftBody::cycle() {

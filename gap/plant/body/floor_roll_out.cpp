@@ -87,14 +87,8 @@ FloorSimulation::FloorSimulation(const BodyCase& given, std::size_t log, const F
 
 void FloorSimulation::writeRow(std::size_t row) {
   for (std::size_t i = 0; i < kJoints; ++i) {
-    const Trajectory& rows = rowsOf(i);
-    ServoDrive& drive = drives_[i];
-    drive.torque_on = rows.torque_on[row] != 0;
-    drive.goal_rad = rows.goal_rad[row];
-    drive.speed_limit_rad_s = std::numeric_limits<double>::infinity();
-    drive.torque_limit = 1;
-    if (const double p = rows.pRegisterAt(row); !std::isnan(p)) drive.p_gain = p / kPRegisterPerKp;
-    drive.supply_v = supplyAt(given_.logs[log_], row, robot_);
+    takeRow(rowsOf(i), row, drives_[i]);
+    drives_[i].supply_v = supplyAt(given_.logs[log_], row, robot_);
   }
 }
 

@@ -1,5 +1,8 @@
 #include "gap/plant/body/limb_parts.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "gap/plant/body/joint_alone.hpp"
 
 namespace darwinop::gap {
@@ -18,6 +21,15 @@ twin::Servo servoOf(const BodyHypothesis& hypothesis, Joint joint, bool is_exact
   if (surroundings != nullptr) effects.push_back(std::move(surroundings));
   for (const twin::EffectSetting& effect : alone.effects) effects.push_back(effect.info->make(effect.values));
   return twin::Servo{parameters, std::move(effects)};
+}
+
+void takeRow(const Trajectory& rows, std::size_t row, ServoDrive& drive) {
+  drive.torque_on = rows.torque_on[row] != 0;
+  drive.goal_rad = rows.goal_rad[row];
+  drive.speed_limit_rad_s =
+      rows.speed_limit_rad_s > 0 ? rows.speed_limit_rad_s : std::numeric_limits<double>::infinity();
+  drive.torque_limit = 1;
+  if (const double p = rows.pRegisterAt(row); !std::isnan(p)) drive.p_gain = p / kPRegisterPerKp;
 }
 
 Limb linksOf(const Limb& limb, const BodyHypothesis& hypothesis) {

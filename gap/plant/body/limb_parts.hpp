@@ -19,6 +19,8 @@ inline constexpr double kPRegisterPerKp = 1 / find(kMx28, "p_gain").scale;
 /// acts before all effects; may be null.
 twin::Servo servoOf(const BodyHypothesis& hypothesis, Joint joint, bool is_exact,
                     std::unique_ptr<twin::Effect> surroundings = nullptr);
+/// What a row writes to a joint's servo; the gain stays where the row has none. The supply is the caller's.
+void takeRow(const Trajectory& rows, std::size_t row, ServoDrive& drive);
 /// The limb as the hypothesis has it, but for the servos.
 Limb linksOf(const Limb& limb, const BodyHypothesis& hypothesis);
 

@@ -68,15 +68,8 @@ class LimbRun {
 
   void writeRow(std::size_t row) {
     for (Eigen::Index i = 0; i < joints(); ++i) {
-      const Trajectory& rows = rowsOf(i);
-      ServoDrive& drive = limb_.drive(i);
-      drive.torque_on = rows.torque_on[row] != 0;
-      drive.goal_rad = rows.goal_rad[row];
-      drive.speed_limit_rad_s =
-          rows.speed_limit_rad_s > 0 ? rows.speed_limit_rad_s : std::numeric_limits<double>::infinity();
-      drive.torque_limit = 1;
-      if (const double p = rows.pRegisterAt(row); !std::isnan(p)) drive.p_gain = p / kPRegisterPerKp;
-      drive.supply_v = supplyAt(given_.logs[log_], row, hypothesis_);
+      takeRow(rowsOf(i), row, limb_.drive(i));
+      limb_.drive(i).supply_v = supplyAt(given_.logs[log_], row, hypothesis_);
     }
   }
 
