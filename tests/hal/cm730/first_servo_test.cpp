@@ -97,7 +97,7 @@ TEST_F(FirstServo, AFrameThatMayBeDamagedOpensNothing) {
   std::array<std::uint8_t, kMaxFrame> room{};
   const auto frame = encodeStatus(room, 5, 0, pollOf(22, 1500));
   std::vector<std::uint8_t> stream(frame.begin(), frame.end());
-  stream.push_back(0x12);  // a byte of nobody: the frame's end was not where it seemed
+  stream.push_back(0x12);  // a stray byte: the frame did not end where it seemed to
   FrameReader reader;
   reader.feed(stream);
   decoder.takeAll(reader, false);
