@@ -22,7 +22,7 @@ cm730::Findings startPoseFindings(const cm730::RobotFacts& facts) {
   const safety::StartPoseCheck check = safety::checkStartPose(seen);
   cm730::Findings rows;
   std::istringstream lines{safety::describe(check)};
-  // A person who has set `board = none` knows that nothing measures the orientation.
+  // With `board = none` in robot.ini a missing orientation is expected.
   const bool good = check.secure() || (check.without_board && check.off_count == 0);
   for (std::string line; std::getline(lines, line);)
     rows.push_back(good ? cm730::Finding::ok(line) : cm730::Finding::of(cm730::Kind::kStartPose, line, {}));

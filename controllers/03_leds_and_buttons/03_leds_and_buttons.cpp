@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   TouchSensor* mode = robot.getTouchSensor("ButtonMode");
   TouchSensor* start = robot.getTouchSensor("ButtonStart");
   if (mode == nullptr) {
-    std::cerr << "Servos without a board have neither LEDs nor buttons." << std::endl;
+    std::cerr << "This example needs LEDs and buttons; servos without a board have none." << std::endl;
     return EXIT_FAILURE;
   }
   mode->enable(time_step);

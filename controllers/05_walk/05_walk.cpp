@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
   gait.stop();
   const double up = accelerometer != nullptr ? accelerometer->getValues()[2] : NAN;  // 640 upright
   if (std::isnan(up))
-    std::cout << "It walked. Without an accelerometer reading it cannot tell whether it is still upright." << std::endl;
+    std::cout << "It walked. Its orientation is unknown: there is no accelerometer reading." << std::endl;
   else if (up < 550)
     std::cout << "It fell." << std::endl;
   else if (falls > 0)

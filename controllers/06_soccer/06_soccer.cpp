@@ -174,7 +174,7 @@ void Player::getUpAfterAFall() {
 
 void Player::play(double end) {
   if (accelerometer_ == nullptr) {
-    std::cerr << "Servos without a board do not feel a fall: this robot does not play." << std::endl;
+    std::cerr << "This example needs an accelerometer to detect falls; servos without a board have none." << std::endl;
     return;
   }
   if (!gait_.isCorrectlyInitialized() || !motion_.isCorrectlyInitialized()) return;

@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
   Gyro* gyro = robot.getGyro("Gyro");
   TouchSensor* button = robot.getTouchSensor("ButtonStart");
   if (accelerometer == nullptr) {
-    std::cerr << "Servos without a board feel nothing that it could talk about." << std::endl;
+    std::cerr << "This example needs inertial sensors; servos without a board have none." << std::endl;
     return EXIT_FAILURE;
   }
   accelerometer->enable(time_step);
