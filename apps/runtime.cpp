@@ -84,7 +84,8 @@ int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
 /// 0: a controller may start, 3: not from this pose
 int checkPose(const runtime::RuntimeFiles& files) {
   const safety::StartPoseCheck check = runtime::startPoseNow(files);
-  std::cout << (check.secure() ? "start pose: ok\n" : safety::describe(check));
+  if (check.secure()) std::cout << "start pose: ok\n";
+  if (!check.secure() || check.without_board) std::cout << safety::describe(check);
   return check.secure() ? 0 : 3;
 }
 

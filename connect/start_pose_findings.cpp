@@ -22,11 +22,9 @@ cm730::Findings startPoseFindings(const cm730::RobotFacts& facts) {
   const safety::StartPoseCheck check = safety::checkStartPose(seen);
   cm730::Findings rows;
   std::istringstream lines{safety::describe(check)};
-  // With `board = none` in robot.ini a missing orientation is expected.
-  const bool good = check.secure() || (check.without_board && check.off_count == 0);
   for (std::string line; std::getline(lines, line);)
-    rows.push_back(good ? cm730::Finding::ok(line) : cm730::Finding::of(cm730::Kind::kStartPose, line, {}));
-  if (!good)
+    rows.push_back(check.secure() ? cm730::Finding::ok(line) : cm730::Finding::of(cm730::Kind::kStartPose, line, {}));
+  if (!check.secure())
     rows.back().remedy =
         "sit the robot down upright before a controller starts, or hold it while it moves there slowly";
   return rows;

@@ -67,7 +67,7 @@ StartPoseCheck checkStartPose(const Sensors& seen) noexcept {
 }
 
 std::string describe(const StartPoseCheck& check) {
-  if (check.secure()) return "the robot is near its start pose and upright\n";
+  if (check.off_count == 0 && check.upright) return "the robot is near its start pose and upright\n";
   std::string text;
   for (std::size_t i = 0; i < check.off_count; ++i) describeJoint(text, check.off[i]);
   if (check.upright) return text;

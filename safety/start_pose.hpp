@@ -38,7 +38,8 @@ struct StartPoseCheck {
   bool upright = false;
   bool without_board = false;  // nothing measures the acceleration
 
-  [[nodiscard]] bool secure() const noexcept { return off_count == 0 && upright; }
+  /// Without a board, which robot.ini has to say, the joints alone decide: such a robot would never start by itself.
+  [[nodiscard]] bool secure() const noexcept { return off_count == 0 && (upright || without_board); }
 };
 
 /// Checks readings of the last few cycles; older or missing readings count as unknown and fail.

@@ -82,6 +82,16 @@ TEST(StartPose, AnUnknownOrientationFailsAndSaysSo) {
   EXPECT_THAT(describe(check), HasSubstr(kOrientationUnknown));
 }
 
+TEST(StartPose, WithoutABoardTheLegsAloneDecideAndTheOrientationIsReportedAsNotKnown) {
+  Sensors seen = sitting();
+  seen.board = {};
+  seen.board.absent = true;
+  EXPECT_TRUE(checkStartPose(seen).secure());
+  EXPECT_THAT(describe(checkStartPose(seen)), HasSubstr(kOrientationUnknown));
+  move(seen, Joint::kPelvR, 300);
+  EXPECT_FALSE(checkStartPose(seen).secure());
+}
+
 TEST(StartPose, ALyingRobotIsReportedAsSuch) {
   Sensors seen = sitting();
   seen.board.accelerometer = {MeterPerSec2{9.8}, MeterPerSec2{0}, MeterPerSec2{0.1}};

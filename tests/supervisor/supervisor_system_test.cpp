@@ -87,6 +87,33 @@ TEST_P(RuntimeFails, TheRobotCrouchesSlowlyToTheStartPoseAndGoesLimp) {
   EXPECT_THAT(said_, HasSubstr(messages::kRescued));
 }
 
+TEST_F(Home, WithServosAloneARuntimeDeathIsRescuedToo) {
+  std::ofstream{folder_ / "home/robot.ini"} << "[Robot]\nport = " << port()
+                                            << "\nboard = none\ncontroller_user = root\n[Safety]\ngentle_speed = 2.0\n";
+  startVirtualRobot("", {"--board", "none"});
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  ASSERT_GT(std::abs(sensors().joint[kKnee].position.value - radFromTicks(row(Joint::kLegLowerR).start).value),
+            kStretched);
+  const pid_t failed = status().runtime_pid;
+  kill(failed, SIGKILL);
+
+  Course course;
+  ASSERT_TRUE(within(seconds{40}, [&] {
+    const Sensors seen = sensors();
+    if (seen.cycle != 0 && kill(failed, 0) != 0) course.update(seen);
+    return supervisor_->output().find(messages::kRescued) != std::string::npos;
+  })) << supervisor_->output();
+  EXPECT_TRUE(course.crouched);
+  EXPECT_LE(course.fastest, 1.01 * kGentle);
+  const Registers robot = registers();
+  EXPECT_EQ(robot.panel, -1) << "no board answers";
+  EXPECT_EQ(robot.silent, 0);
+  EXPECT_EQ(robot.stiff, 0);
+  EXPECT_LT(robot.furthest, 0.1);
+}
+
 TEST_F(Home, ALimpRobotWhoseRuntimeDiesStaysLimp) {
   startVirtualRobot();
   startSupervisor();  // without a default controller
