@@ -12,7 +12,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/dev/build.sh
 . tools/test/background.sh
 
-gate=(format scripts build docs model asan release i686 install tsan tidy)
+gate=(format scripts build docs model asan release i686 install tsan arm-short tidy)
 deep=(lint headers gap gap-sanitized long-model campaign long-install vm vm-aarch64 vm-armhf vm-amd64 n270 arm i686-native fuzz bench)
 more=(fast slow)  # for developers: one label of the debug build
 
@@ -33,6 +33,7 @@ groups=(build test robot)
 for stage in "$@"; do
   has_stage "$stage" || die "no stage '$stage'. Gate: ${gate[*]}. Deep: ${deep[*]}. Debug build: ${more[*]}"
   [[ " ${deep[*]} " != *" $stage "* ]] || groups=(build test robot robot-arm deep bench)
+  [ "$stage" != arm-short ] || groups+=(robot-arm)
 done
 # Every draw of a test follows from these seeds. The gate always uses the same; deep has another every day.
 day=$(date +%Y%m%d)
