@@ -34,6 +34,8 @@ std::optional<StillReading> readOnce(runtime::RobotLink& link, Nanos time, const
 std::vector<PostureReading> readPostures(runtime::RobotLink& link, Stand& stand,
                                          const cm730::ImuCalibration& corrected_by, Nanos time,
                                          const std::atomic<bool>& stop, std::ostream& log) {
+  if (!link.waitForCycle(link.sensors().cycle + 1, stop)) return {};
+  if (link.sensors().board.absent) throw std::runtime_error(messages::kNoImu);
   const cm730::ImuCorrection correction{corrected_by};
   std::vector<PostureReading> out;
   for (const TrunkPosture& posture : kPostures) {

@@ -15,6 +15,8 @@ inline constexpr const char* kHornIsFarOff = "   not written: more than 0.2 rad 
 inline constexpr const char* kNoSuchJoint = ": no joint has this name; joints are called as in Webots, e.g. Neck";
 
 inline constexpr const char* kNoReadings = "the board does not answer; check it with darwinop doctor. ";
+inline constexpr const char* kNoImu =
+    "without a board this robot has no gyroscope and no accelerometer; zero offsets: darwinop calibrate by-hand";
 inline constexpr const char* kTooFewPostures =
     "these postures do not separate bias, scale and mounting; nothing is written. Repeat with all six postures";
 inline constexpr const char* kOtherLoop =
