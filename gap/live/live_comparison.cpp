@@ -15,6 +15,12 @@ bool isKnown(Freshness age) {
   return age.age <= kAnswerPatience;
 }
 
+/// Without a board its servos show whether the robot is there.
+bool answers(const Sensors& seen) {
+  if (!seen.board.absent) return isKnown(seen.board.motion);
+  return std::ranges::any_of(seen.joint, [](const JointSensors& joint) { return isKnown(joint.motion); });
+}
+
 /// Speed limits of the servos change in these moves; the next poll shows it too late.
 bool isMovedBySafety(State state) {
   return state == State::kTakingOver || state == State::kStarting || state == State::kKneeling;
@@ -58,7 +64,7 @@ void LiveComparison::take(const LiveCycle& cycle) {
   const double dt_s = last_cycle_ == 0 ? 0 : std::max(time_s - last_time_s_, 0.0);
   last_cycle_ = seen.cycle, last_time_s_ = time_s;
   ++status_.cycles;
-  if (!isKnown(seen.board.motion)) {
+  if (!answers(seen)) {
     status_.state = LiveState::kNoData;
     robot_up_.forget();
     if (!wanted_) wanted_ = Resync::kSilence;
@@ -109,9 +115,9 @@ void LiveComparison::noteTurn(double dt_s) {
   if (turned_s_ >= kTurnedFor) wanted_ = Resync::kTurned;
 }
 
-/// Joints that are silent are put where their goals are.
+/// Joints that are silent are put where their goals are. Nothing shows how a robot without a board is turned: upright.
 void LiveComparison::place(const LiveCycle& cycle) {
-  const std::optional<Axes> up = robot_up_.up();
+  const std::optional<Axes> up = cycle.sensors.board.absent ? Axes{0, 1, 0} : robot_up_.up();
   if (!up || (wanted_ == Resync::kTurned && !robot_up_.isSteady())) return;
   std::array<double, kJoints> pose = measured_rad_;
   for (std::size_t i = 0; i < kJoints; ++i) {

@@ -58,6 +58,22 @@ TEST(LiveComparison, ABiasOfTheGyroscopeIsInItsAxis) {
   EXPECT_LT(comparison.report().gyro_rad_s[0].rms, 0.01);
 }
 
+TEST(LiveComparison, ServosWithoutABoardAreComparedWithATwinThatIsUpright) {
+  LiveRobot robot{kStiffElbow};
+  LiveComparison comparison{modelWith(""), Support::kClamped, kPeriod};
+  for (double t = 0; t < 6; t += kPeriod) {
+    LiveCycle cycle = robot.next();
+    cycle.sensors.board = {};
+    cycle.sensors.board.absent = true;
+    comparison.take(cycle);
+  }
+  const LiveReport report = comparison.report();
+  EXPECT_EQ(report.state, LiveState::kComparing);
+  EXPECT_EQ(report.up, (Axes{0, 1, 0}));
+  EXPECT_GT(report.position_rad[kElbow].rms, 5 * kMrad);
+  EXPECT_EQ(report.gyro_rad_s[0].count, 0);
+}
+
 TEST(LiveComparison, CatchesUpWithAMovingJoint) {
   LiveRobot robot;
   for (double t = 0; t < 2; t += kPeriod) robot.next();
