@@ -50,6 +50,7 @@ struct Trajectory {
   // Of a recording of the runtime: when in a row its goals were written and the servo was read, s after time_s. Empty:
   // both at time_s, in GoalOrder.
   std::vector<double> written_s, read_s;
+  bool is_phase_known = true;  // the servo's firmware runs in step with the rows; matters with read_s only
   std::vector<std::uint8_t> torque_on;
   std::vector<double> speed_rad_s, load, volt_v, temp_c;  // load: -1 to 1. NaN where the log has none
   std::vector<double> current_a;     // as the servo reports it; empty or NaN: not known. Nothing is fitted to it

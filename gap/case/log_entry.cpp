@@ -75,6 +75,7 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   out.joint = jointOf(entry);
   out.from_s = entry.number("from_s", kClock, -std::numeric_limits<double>::infinity());
   out.to_s = entry.number("to_s", kClock, std::numeric_limits<double>::infinity());
+  out.firmware_in_step = entry.flag("firmware_in_step", false);
   out.hangs_at_rad = entry.number("hangs_at_rad", {"rad", -kPi, kPi}, 0);
   if (out.from_s >= out.to_s)
     entry.fail("to_s", std::string{messages::kEndBeforeStart} + "; nothing is left of the log");

@@ -48,6 +48,9 @@ inline constexpr const char* kSeveralValues = "has several values; cut the log w
 inline constexpr const char* kUnitLeftOut = "has a unit that is not known, and is left out";
 
 // logs
+inline constexpr const char* kHalfSchedule = "written_s and read_s come together; add the other one";
+inline constexpr const char* kScheduleOrder =
+    "written_s and read_s are seconds after t_s, first the one and then the other";
 inline constexpr const char* kJointNotGiven = "a recording has twenty joints; give the joint of the log";
 inline constexpr const char* kLoadIsZero = "load is 0 in every row";
 inline constexpr const char* kLoadNotRecognized = " has a unit that was not recognized, and is left out";

@@ -98,9 +98,9 @@ void takeAxis(Fields& top, Case& into) {
 std::optional<BadInput> fill(LogEntry& entry, Fields& top, const Encodings& raw, const CaseFiles& files, Case& into) {
   try {
     const logs::Log log = loadLog(files, entry.head.file);
-    takeOrder(top, log.recording, into);
     into.warnings.insert(into.warnings.end(), log.warnings.begin(), log.warnings.end());
     fillTrajectory(log, raw, entry, into.warnings);
+    takeOrder(top, log.recording || entry.head.isReadAfterWrite(), into);
     checkLog(entry.head, log.file, into);
     return std::nullopt;
   } catch (const BadInput& reason) {

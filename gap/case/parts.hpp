@@ -36,6 +36,7 @@ struct LogEntry {
   std::optional<double> session_start_s;
   std::optional<Joint> joint;  // whose columns of a recording
   double from_s, to_s;         // of the file's own clock
+  bool firmware_in_step;       // of a plain log with written_s and read_s
   double hangs_at_rad;         // angle of the joint at which the arm hangs down; a case counts from there
 };
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);

@@ -1,16 +1,19 @@
 // One joint of a recording of the runtime as a log of a case; docs/logs.md lists the columns.
 //
 // A cycle writes the goals and reads the servos right behind that (runtime/cycle.cpp), and a row is what one cycle
-// wrote and read. Between the two lies a millisecond or so, in which nothing moves: a row's goal shows in the next row
-// first, as if it had been written after the read, GoalOrder::kAfterRead. `commanded` has a value while the
-// joint is driven: torque is on.
+// wrote and read. Between the two lie a few periods of the firmware, which act on the goal already: the load shows
+// them, the position hardly. The bytes on the wire give both times. A recording without them counts as read before its
+// goals were written, GoalOrder::kAfterRead. `commanded` has a value while the joint is driven: torque is on.
 #include <cmath>
+#include <vector>
 
+#include "core/conversions.hpp"
 #include "core/registers.hpp"
 #include "gap/case/bad_rows.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 #include "gap/case/servo_columns.hpp"
+#include "gap/case/wire_schedule.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -54,6 +57,32 @@ std::vector<std::size_t> rowsOf(const logs::Log& log, const LogEntry& entry, con
   return rows;
 }
 
+/// When the joint was written and read in these rows. Nothing if the recording has not all joints, or not `bus.wire`.
+void takeSchedule(const logs::Log& log, Joint joint, const std::vector<std::size_t>& rows, Trajectory& into) {
+  std::vector<Trajectory> all(kJoints);
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const std::string name{kJointTable[i].name};
+    const logs::Column* const position = log.find(name + ".position");
+    const logs::Column* const voltage = log.find(name + ".voltage");
+    if (position == nullptr || voltage == nullptr) return;
+    all[i].position_rad = position->values;
+    all[i].volt_v = voltage->values;
+  }
+  fillWireSchedule(log, all);
+  const Trajectory& own = all[index(joint)];
+  if (!own.isReadAfterWrite()) return;
+  for (const std::size_t row : rows) {
+    into.written_s.push_back(own.written_s[row]);
+    into.read_s.push_back(own.read_s[row]);
+  }
+  into.is_phase_known = isInLockstep(log);
+}
+
+/// The goal as the servo's register has it.
+double inTicks(double goal_rad) {
+  return radFromTicks(ticksFromRad(Rad{goal_rad})).value;
+}
+
 }  // namespace
 
 void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings) {
@@ -66,8 +95,9 @@ void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::s
   for (const std::size_t row : rows) {
     if (!std::isnan(c.goal->values[row])) goal = c.goal->values[row];  // limp: the last one, which nothing follows
     out.time_s.push_back(log.seconds(row) - log.seconds(rows.front()));
-    appendRow(log, c, row, goal, out);
+    appendRow(log, c, row, inTicks(goal), out);
   }
+  takeSchedule(log, *entry.joint, rows, out);
   constexpr const Register& gain = find(kMx28, "p_gain");
   const std::optional<double> p_gain = constant(log, c, c.p_gain->values, rows, "P gain");
   const std::optional<double> p_register = p_gain ? std::optional{*p_gain / gain.scale} : std::nullopt;

@@ -114,6 +114,20 @@ void takeCurrent(const logs::Log& log, const Encodings& raw, const std::vector<s
     for (std::size_t i = 0; i < rows.size(); ++i) into.current_a[i] = amperes->values[rows[i]];
 }
 
+/// When a row's goal was written and its servo read: both or neither.
+void takeSchedule(const logs::Log& log, const std::vector<std::size_t>& rows, Trajectory& into) {
+  const logs::Column *const written = log.find("written_s"), *const read = log.find("read_s");
+  if (written == nullptr && read == nullptr) return;
+  if (written == nullptr || read == nullptr) throw BadInput(log.file + ": " + messages::kHalfSchedule);
+  for (const std::size_t row : rows) {
+    const double written_s = written->values[row], read_s = read->values[row];
+    if (!(written_s >= 0 && written_s <= read_s && std::isfinite(read_s)))
+      throw BadInput(log.file + ", line " + std::to_string(log.lines[row]) + ": " + messages::kScheduleOrder);
+    into.written_s.push_back(written_s);
+    into.read_s.push_back(read_s);
+  }
+}
+
 void takeTorque(const logs::Log& log, const std::vector<std::size_t>& rows, Trajectory& into) {
   const logs::Column* column = log.find("torque_on");
   if (column == nullptr)
@@ -143,6 +157,8 @@ void fillFromPlain(const logs::Log& log, const Encodings& raw, LogEntry& entry) 
   for (const Wanted& wanted : kWanted) take(log, raw, wanted, rows, out);
   takeCurrent(log, raw, rows, out);
   takeTorque(log, rows, out);
+  takeSchedule(log, rows, out);
+  out.is_phase_known = entry.firmware_in_step;
   if (!entry.p_register)
     throw BadInput(log.file + ": " + messages::kNoPRegister + "; add \"kp\": 32, or its value, to the log");
   out.p_register = *entry.p_register;

@@ -27,6 +27,7 @@ constexpr CsvColumn kColumns[] = {
     {"pos_rad", &Trajectory::position_rad, 1}, {"speed_rad_s", &Trajectory::speed_rad_s, 1},
     {"load_pct", &Trajectory::load, 100},      {"volt_V", &Trajectory::volt_v, 1},
     {"temp_C", &Trajectory::temp_c, 1},        {"current_A", &Trajectory::current_a, 1},
+    {"written_s", &Trajectory::written_s, 1},  {"read_s", &Trajectory::read_s, 1},
 };
 
 void append(std::string& line, double value) {
@@ -106,6 +107,7 @@ Json entryOf(const Case& c, const Trajectory& log, const char* role) {
   for (const ArmKey& key : armKeys())
     if (key.of_log != nullptr && log.*key.of_log) entry[std::string{key.json}] = *(log.*key.of_log);
   if (log.supply_v) entry["supply_V"] = *log.supply_v;
+  if (log.isReadAfterWrite() && log.is_phase_known) entry["firmware_in_step"] = true;
   if (log.speed_limit_rad_s > 0) entry["speed_limit_rad_s"] = log.speed_limit_rad_s;
   return entry;
 }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/servo_limits.hpp"
-#include "gap/case/body/wire_schedule.hpp"
+#include "gap/case/wire_schedule.hpp"
 
 namespace darwinop::gap::live {
 namespace {

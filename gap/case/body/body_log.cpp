@@ -9,8 +9,8 @@
 #include "core/units.hpp"
 #include "gap/case/bad_rows.hpp"
 #include "gap/case/body/parse_body_case.hpp"
-#include "gap/case/body/wire_schedule.hpp"
 #include "gap/case/servo_columns.hpp"
+#include "gap/case/wire_schedule.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -121,9 +121,10 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
 
   std::vector<std::string> done;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    // A load is that of the last period of the firmware before the read, and on a bus with twenty servos that
-    // period is unknown: a goal may show in it a period too early or too late, like an effect.
-    std::ranges::fill(made.logs[i].load, std::numeric_limits<double>::quiet_NaN());
+    // A load is that of the last period of the firmware before the read. Where that period is unknown, a goal may show
+    // in it a period too early or too late, like an effect.
+    if (!made.logs[i].isReadAfterWrite())
+      std::ranges::fill(made.logs[i].load, std::numeric_limits<double>::quiet_NaN());
     made.logs[i].file = fs::path{parts[i].file}.stem().string() + "_" + std::to_string(i + 1) + ".csv";
     done.push_back(sentence(parts[i], made.logs[i].file));
   }

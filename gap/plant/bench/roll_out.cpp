@@ -28,6 +28,7 @@ class Run {
         options_{options},
         folded_{options.steps_per_period > 0 ? 1 : foldedPeriods(log, hypothesis)},
         period_s_{folded_ * hypothesis.servo.firmware_period_s},
+        phase_s_{phaseOf(log, options) * period_s_},
         nominal_v_{supplyOf(given, log, hypothesis)},
         temperature_c_{temperatureAt(0)},
         bench_{servoOf(hypothesis), effects(hypothesis), armOf(given, log, hypothesis)} {
@@ -49,12 +50,21 @@ class Run {
     trace.columns.resize(kJointSignals);
     for (std::vector<double>& column : trace.columns) column.resize(rows);
     for (std::size_t row = 0; row < rows; ++row) {
-      advanceTo(log_.time_s[row] - log_.time_s[0]);
-      const double since_s = log_.time_s[row] - log_.time_s[0] - static_cast<double>(periods_) * period_s_;
+      const double time_s = log_.time_s[row] - log_.time_s[0];
+      if (log_.isReadAfterWrite()) {
+        advanceTo(time_s + log_.written_s[row] + phase_s_);
+        command(row);
+        advanceTo(time_s + log_.read_s[row] + phase_s_);
+        trace[kPositionSignal][row] = registered_rad_;
+      } else {
+        advanceTo(time_s);
+        const double since_s = time_s - static_cast<double>(periods_) * period_s_;
+        trace[kPositionSignal][row] = bench_.encoder_rad() + bench_.velocity_rad_s() * since_s;
+      }
       trace[kSpeedSignal][row] = bench_.velocity_rad_s();
-      trace[kPositionSignal][row] = bench_.encoder_rad() + bench_.velocity_rad_s() * since_s;
       trace[kLoadSignal][row] = loadNow();
       trace[kSupplySignal][row] = bench_.servo().signals().supply_v;
+      if (log_.isReadAfterWrite()) continue;
       if (given_.goal_order == GoalOrder::kAfterRead)
         command(row);
       else if (row + 1 < rows)
@@ -69,6 +79,7 @@ class Run {
                   .start_rad = startRad(hypothesis),
                   .goal_rad = held ? std::optional{log_.goal_rad[0]} : std::nullopt,
                   .session_time_s = log_.session_start_s - (held ? kHeldBefore : 0)});
+    registered_rad_ = bench_.encoder_rad();
     if (held)
       for (long i = std::lround(kHeldBefore / period_s_); i > 0; --i) step();
   }
@@ -96,7 +107,7 @@ class Run {
 
   /// Periods of a fine firmware that are simulated as one: the most that end with every row of the log.
   static int foldedPeriods(const Trajectory& log, const Hypothesis& hypothesis) {
-    if (hypothesis.has(twin::StepDemand::kEveryPeriod)) return 1;
+    if (hypothesis.has(twin::StepDemand::kEveryPeriod) || log.isReadAfterWrite()) return 1;
     constexpr double kRounding = 1e-3;  // of a period; times in a log are rounded decimals
     const double period_s = hypothesis.servo.firmware_period_s;
     int most = static_cast<int>(thresholds::kLongestFold / period_s + kRounding);
@@ -108,6 +119,14 @@ class Run {
     };
     while (most > 1 && !fits(most)) --most;
     return std::max(1, most);
+  }
+
+  /// By what share of a period the firmware is ahead of the rows: a firmware that runs on its own is as old as its
+  /// period when it is read, by chance.
+  static double phaseOf(const Trajectory& log, const RollOutOptions& options) {
+    constexpr double kMeanPhase = 0.5;
+    if (!log.isReadAfterWrite() || log.is_phase_known) return 0;
+    return options.disturbance == nullptr ? kMeanPhase : Rng{splitMix(options.disturbance->seed)}.uniform();
   }
 
   /// The duty of a folded period is the mean of those it stands for: that of a position this much later.
@@ -131,6 +150,7 @@ class Run {
 
   void step() {
     load_before_ = bench_.servo().report().load;
+    registered_rad_ = bench_.encoder_rad();
     if (ripple_) drive_.supply_v = nominal_v_ + ripple_->next();
     bench_.step(drive_);
   }
@@ -165,12 +185,13 @@ class Run {
   const Trajectory& log_;
   const RollOutOptions options_;
   const int folded_;  // periods of the firmware in one of the simulation
-  const double period_s_, nominal_v_;
+  const double period_s_, phase_s_, nominal_v_;
   double temperature_c_;
   twin::Bench bench_;
   std::optional<GaussMarkov> ripple_;
   ServoDrive drive_;
-  double load_before_ = 0;  // of the period before
+  double load_before_ = 0;     // of the period before
+  double registered_rad_ = 0;  // position that the firmware read last
   long periods_ = 0;
 };
 

@@ -30,6 +30,26 @@ auto inLine102(const std::string& says) {
   return AllOf(StartsWith("my/fit_1.csv, line 102: "), HasSubstr(says));
 }
 
+/// Answer for a log with these two values in each row.
+std::string errorOfSchedule(const std::string& columns, const std::string& values) {
+  std::string text = csvOf(sineRows());
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+    const std::string& more = at < 100 ? columns : values;
+    text.insert(at, more);
+    at += more.size();
+  }
+  CaseTexts texts;
+  texts.logs["fit_1.csv"] = text;
+  return texts.error();
+}
+
+TEST(LogErrors, AReadFollowsItsWrite) {
+  EXPECT_EQ(errorOfSchedule(",written_s,read_s", ",0.0007,0.0017"), "");
+  EXPECT_THAT(errorOfSchedule(",written_s,read_s", ",0.0017,0.0007"), HasSubstr(messages::kScheduleOrder));
+  EXPECT_THAT(errorOfSchedule(",written_s,read_s", ",,0.0007"), HasSubstr(messages::kScheduleOrder));
+  EXPECT_THAT(errorOfSchedule(",read_s", ",0.0007"), HasSubstr(messages::kHalfSchedule));
+}
+
 TEST(LogErrors, RangesOfTheColumns) {
   EXPECT_EQ(errorFrom102With(&CsvRow::load, 101), "");
   EXPECT_THAT(errorFrom102With(&CsvRow::load, 101.2), inLine102("load is 101.2 %"));

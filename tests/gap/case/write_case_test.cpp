@@ -42,6 +42,9 @@ void expectSame(const Trajectory& a, const Trajectory& b) {
   expectSame(a.load, b.load);
   expectSame(a.volt_v, b.volt_v);
   expectSame(a.temp_c, b.temp_c);
+  expectSame(a.written_s, b.written_s);
+  expectSame(a.read_s, b.read_s);
+  EXPECT_EQ(a.is_phase_known, b.is_phase_known);
 }
 
 /// Writes it, reads it and compares.
@@ -81,6 +84,16 @@ TEST(WriteCase, ABaseline) {
   for (std::size_t i = 10; i < 60; ++i) c.logs[0].torque_on[i] = 0;
   c.logs[0].volt_v[7] = std::nan("");
   c.logs[1].load.assign(c.logs[1].rows(), std::nan(""));
+  expectRoundTrip(c);
+}
+
+TEST(WriteCase, WhenEachRowWasWrittenAndRead) {
+  Case c = CaseTexts{}.read();
+  for (const std::size_t i : {0U, 1U}) {
+    c.logs[i].written_s.assign(c.logs[i].rows(), 0.00068);
+    c.logs[i].read_s.assign(c.logs[i].rows(), 0.00174);
+    c.logs[i].is_phase_known = i == 0;
+  }
   expectRoundTrip(c);
 }
 

@@ -35,6 +35,27 @@ TEST(RollOut, AGoalWrittenBeforeTheReadActsOneRowEarlier) {
   EXPECT_EQ(after, before + 1);
 }
 
+// The runtime writes all goals, and reads each servo a few periods of the firmware later.
+TEST(RollOut, AGoalActsBetweenItsWriteAndTheReadOfItsRow) {
+  Case bench = smallBench();
+  Trajectory& log = bench.logs[0];
+  log.position_rad.assign(log.rows(), 0);
+  const auto first_row = [&] { return firstRowBeyond(traceOf(bench, 0, baselineOf(bench))[kLoadSignal], 0.1); };
+  const std::size_t one_row_late = first_row();
+  log.written_s.assign(log.rows(), 0.001);
+  log.read_s.assign(log.rows(), 0.003);
+  EXPECT_EQ(first_row() + 1, one_row_late);
+  log.read_s = log.written_s;
+  EXPECT_EQ(first_row(), one_row_late) << "no period between the two";
+  log.is_phase_known = false;
+  const Disturbance one{.seed = 1, .torque_nm = 0, .supply_v = 0, .encoder_ticks = 0},
+      other{.seed = 2, .torque_nm = 0, .supply_v = 0, .encoder_ticks = 0};
+  const auto moved = [&](const Disturbance& noise) {
+    return traceOf(bench, 0, baselineOf(bench), &noise)[kLoadSignal][one_row_late];
+  };
+  EXPECT_NE(moved(one), moved(other)) << "a firmware of its own is read at any phase";
+}
+
 // Friction holds an arm anywhere near its goal: the log says where, the model whether it can.
 TEST(RollOut, ALogBeginsWhereTheJointWasMeasured) {
   constexpr double kAside = 0.02;  // rad; 0.15 N m at this gain

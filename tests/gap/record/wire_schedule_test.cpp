@@ -1,5 +1,5 @@
 // When the runtime reads a servo within a cycle, from the bytes of a recording.
-#include "gap/case/body/wire_schedule.hpp"
+#include "gap/case/wire_schedule.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A cycle is one write of all goals, one request, and replies one after the other: the board's, then the servos' in the
 // order of their ids (hal/cm730/read_list.hpp). A servo's registers are those of the begin of its reply.
-#include "gap/case/body/wire_schedule.hpp"
+#include "gap/case/wire_schedule.hpp"
 
 #include <algorithm>
 #include <cmath>
