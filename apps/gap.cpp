@@ -39,8 +39,8 @@ void addBenchmark(CLI::App& parent, gap::Arguments& given, std::vector<Row>& row
   run->add_flag("--resume", given.resume, "keep the results that --out has already");
   run->add_option("--jobs", given.jobs, "cases at once; default: one with all threads")->check(CLI::Range(1, 1000));
   CLI::App* const make = add(names.make, "makes many cases, over all effects", gap::makeBenchmark);
-  make->add_option("--family", given.family, "servo, or body: the whole robot")
-      ->check(CLI::IsMember({"servo", "body"}))
+  make->add_option("--family", given.family, "servo; body: the whole robot; thesis: findings of 2013")
+      ->check(CLI::IsMember({"servo", "body", "thesis"}))
       ->capture_default_str();
   make->add_option("--effect", given.effects,
                    "body: a case for each ID, ID@pair, ID@all, or none, in place of a part; with commas: both in one");
@@ -61,6 +61,7 @@ void addBenchmark(CLI::App& parent, gap::Arguments& given, std::vector<Row>& row
   score->add_option("RESULTS", given.results, "results.json of run")->required();
   score->add_option("KEY", given.key, "key.json")->required();
   score->add_flag("--json", given.json, "print the result for programs");
+  score->add_flag("--table", given.table, "print what is hidden and answered in each case of a whole robot instead");
   score->add_option("--at-least", given.at_least,
                     "exit 1 unless the fair-answer rate is at least this (upper 95 % confidence bound)");
 }

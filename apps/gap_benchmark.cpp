@@ -8,9 +8,11 @@
 
 #include "core/json/json_text.hpp"
 #include "gap/benchmark/body/body_suite.hpp"
+#include "gap/benchmark/body/thesis_suite.hpp"
 #include "gap/benchmark/make/own_suite.hpp"
 #include "gap/benchmark/run/results.hpp"
 #include "gap/benchmark/run/suite.hpp"
+#include "gap/benchmark/score/body/body_case_table.hpp"
 #include "gap/benchmark/score/body/body_score.hpp"
 #include "gap/benchmark/score/score.hpp"
 #include "gap/parallel/parallel.hpp"
@@ -90,6 +92,7 @@ int makeBenchmark(const Arguments& given) {
     });
     return 0;
   };
+  if (given.family == "thesis") return make(thesisRequests(given.seed), makeBodyCases);
   if (given.family != "body") return make(ownRequests(given.seed, partCalled<Part>(given.part)), makeCases);
   return make(given.effects.empty() ? bodyRequests(given.seed, partCalled<BodyPart>(given.part))
                                     : bodyRequestsFor(given.seed, given.effects),
@@ -97,6 +100,11 @@ int makeBenchmark(const Arguments& given) {
 }
 
 int scoreBenchmark(const Arguments& given) {
+  if (given.table) {
+    if (!isBodyKey(given.key)) throw std::runtime_error("--table is for cases of the whole robot; leave it out");
+    std::cout << bodyCaseTable(readBodyKeys(given.key), readBodyAnswers(given.results));
+    return 0;
+  }
   const Score score = isBodyKey(given.key) ? bodyScoreOf(readBodyKeys(given.key), readBodyAnswers(given.results))
                                            : scoreOf(readKeys(given.key), readAnswers(given.results));
   std::cout << (given.json ? asJson(score).dump(1) + "\n" : asText(score));

@@ -31,6 +31,7 @@ struct Arguments {
   bool resume = false;                 // of a suite
   unsigned threads = 0;                // 0: as many as there are cores
   std::string results, key;            // to score
+  bool table = false;                  // of cases, in place of a score
   std::string against;                 // to plan for: ids of effects, with commas; empty: from the identification
   std::string joint = "ShoulderR";     // that swings the arm in planned experiments
   std::optional<double> hangs_at_rad;  // its angle where the arm hangs; nothing: as the robot's arms do

@@ -7,9 +7,9 @@
 #include "core/text/nearest.hpp"
 #include "gap/benchmark/body/drawn_sizes.hpp"
 #include "gap/benchmark/body/outside_effects.hpp"
+#include "gap/benchmark/body/sensor_truth.hpp"
 #include "gap/identify/body/floor_effect.hpp"
 #include "gap/identify/body/mechanical_effect.hpp"
-#include "gap/identify/body/sensor_effect.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -25,18 +25,6 @@ const SensorEffect* restingEffect(const std::string& id) {
   return found == all.end() ? nullptr : &*found;
 }
 
-void apply(const SensorEffect& effect, const std::vector<double>& values, ImuDeviation& imu) {
-  RestingImu::Deviation& of = effect.sensor == ImuSensor::kGyro ? imu.gyro : imu.accel;
-  const Eigen::Vector3d vector{values[0], values[1], values[2]};
-  if (effect.number == SensorEffect::Number::kBias) of.bias += vector;
-  if (effect.number == SensorEffect::Number::kScale) of.scale = vector;
-  if (effect.number == SensorEffect::Number::kRotation) of.rotation = vector;
-  if (effect.number != SensorEffect::Number::kMap) return;
-  of.map.setZero();
-  for (Eigen::Index i = 0; i < 3; ++i)
-    of.map(i, static_cast<Eigen::Index>(std::abs(vector[i])) - 1) = vector[i] > 0 ? 1 : -1;
-}
-
 void hideFloor(const std::string& id, const BodyCase& plan, Rng& rng, BodyTruth& truth, BodyKey& key) {
   const std::vector<FloorEffect> all = floorEffects(plan.joints.model);
   const FloorEffect& effect = *std::ranges::find(all, id, &FloorEffect::id);
@@ -49,7 +37,7 @@ void hideFloor(const std::string& id, const BodyCase& plan, Rng& rng, BodyTruth&
 
 void hideResting(const SensorEffect& effect, Rng& rng, BodyTruth& truth, BodyKey& key) {
   const Values drawn = drawnFor(std::string{effect.id}, rng);
-  apply(effect, drawn.begin()->second, truth.model.imu);
+  applyTo(truth.model.imu, effect, drawn.begin()->second);
   key.effects.push_back({std::string{effect.id}, {std::string{effect.at}}, drawn});
 }
 

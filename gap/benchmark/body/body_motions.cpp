@@ -12,6 +12,8 @@ namespace {
 constexpr double kRow = 0.016;            // s
 constexpr double kTick = 2 * kPi / 4096;  // rad
 constexpr double kFree = 0.12;            // rad from an end of a joint's range
+// rad/s of the ankles in a bow: so that the robot tips over within three seconds.
+constexpr double kForward = 0.16, kBackward = -0.14;
 
 void add(BodyCase& into, BodySetup setup, int rows, bool held_out, const Motion& motion, Rng& rng) {
   BodyLog log;
@@ -45,7 +47,7 @@ void add(BodyCase& into, BodySetup setup, int rows, bool held_out, const Motion&
 
 }  // namespace
 
-BodyCase plannedBody(const std::string& name, std::uint64_t seed) {
+BodyCase plannedBody(const std::string& name, std::uint64_t seed, FloorMotions on_floor) {
   Rng rng{seed};
   BodyCase out;
   out.name = name, out.model = "darwin-op";
@@ -57,15 +59,16 @@ BodyCase plannedBody(const std::string& name, std::uint64_t seed) {
   out.logs.back().repeat_of = 0;
   add(out, BodySetup::kClamped, kLong, false, triangles(kRow * kLong, rng), rng), up({rng.sign(), 0, 0});
   add(out, BodySetup::kClamped, kLong, false, released(rng), rng), up({0, 0, rng.sign()});
-  add(out, BodySetup::kFloor, kLong, false, squats(rng), rng);
-  add(out, BodySetup::kFloor, kLong, false, walk(rng), rng);
+  const bool bows = on_floor == FloorMotions::kBows;
+  add(out, BodySetup::kFloor, kLong, false, bows ? bow(kForward, rng) : squats(rng), rng);
+  add(out, BodySetup::kFloor, kLong, false, bows ? bow(kBackward, rng) : walk(rng), rng);
   add(out, BodySetup::kLying, kShort, false, stance(), rng);
   out.logs.back().lies_on = rng.coin() ? "back" : "front";
   const double azimuth = rng.between(-kPi, kPi), down = rng.between(-1, 0.3), level = std::sqrt(1 - down * down);
   add(out, BodySetup::kClamped, kHeldOut, true, steps(rng), rng);
   up({level * std::cos(azimuth), down, level * std::sin(azimuth)});
-  add(out, BodySetup::kFloor, kOnFloor, true, sways(rng), rng);
-  add(out, BodySetup::kFloor, kOnFloor, true, walk(rng), rng);
+  add(out, BodySetup::kFloor, kOnFloor, true, bows ? bow(kForward, rng) : sways(rng), rng);
+  add(out, BodySetup::kFloor, kOnFloor, true, bows ? bow(kBackward, rng) : walk(rng), rng);
   return out;
 }
 

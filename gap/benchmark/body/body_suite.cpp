@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "gap/benchmark/body/body_motions.hpp"
+#include "gap/benchmark/body/given_effects.hpp"
 #include "gap/benchmark/body/write_body_case.hpp"
 #include "gap/localize/body/drawn_robot.hpp"
 #include "gap/parallel/parallel.hpp"
@@ -130,11 +130,12 @@ BodyRequests bodyRequestsFor(std::uint64_t seed, const std::vector<std::string>&
 HiddenBody hiddenBody(const BodyRequest& request) {
   Rng rng{request.seed};
   for (int attempt = 0; attempt < kTries; ++attempt) {
-    HiddenBody out{.given = plannedBody(request.name, rng.next()), .key = {}};
+    HiddenBody out{.given = plannedBody(request.name, rng.next(), request.on_floor), .key = {}};
     if (request.wrong_numbers) out.given.trust = kTrust;
     out.key.is_exact = !request.wrong_numbers;
     BodyTruth truth = robotOf(request, out.given, rng);
     const BodyTruth believed = truth;
+    for (const BodyKeyEffect& effect : request.given) hide(effect, out.given, truth, out.key);
     for (const BodyEffect& effect : request.effects) hide(effect, out.given, rng, truth, out.key);
     const std::uint64_t seed = rng.next();
     const auto measured = [&](const BodyTruth& robot, std::uint64_t noise_seed, bool held_out_only) {
@@ -143,14 +144,14 @@ HiddenBody hiddenBody(const BodyRequest& request) {
       for (std::size_t log = 0; log < made.logs.size() && !fell; ++log) {
         if (held_out_only && !made.logs[log].held_out) continue;
         const Disturbance noise{.seed = noise_seed + log};
-        fell = measureBody(made, log, robot, &noise);
+        fell = measureBody(made, log, robot, &noise) && request.on_floor != FloorMotions::kBows;
       }
       return std::pair{std::move(made), fell};
     };
     auto [made, fell] = measured(truth, seed, false);
     if (fell) continue;
     out.key.noise_mrad = differenceOf(made, measured(truth, seed + 100, true).first) / std::sqrt(2.0);
-    out.key.gap_mrad = request.effects.empty() ? 0 : differenceOf(made, measured(believed, seed, true).first);
+    out.key.gap_mrad = out.key.effects.empty() ? 0 : differenceOf(made, measured(believed, seed, true).first);
     out.given = std::move(made);
     return out;
   }

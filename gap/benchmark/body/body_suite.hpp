@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gap/benchmark/body/body_effects.hpp"
+#include "gap/benchmark/body/body_motions.hpp"
 
 namespace darwinop::gap {
 
@@ -14,7 +15,9 @@ struct BodyRequest {
   std::string name = {};  // of the case; must not reveal the effect
   std::uint64_t seed = 1;
   std::vector<BodyEffect> effects = {};
-  bool wrong_numbers = false;  // of the model, within their priors
+  bool wrong_numbers = false;             // of the model, within their priors
+  std::vector<BodyKeyEffect> given = {};  // hidden as well, with these places and sizes
+  FloorMotions on_floor = FloorMotions::kWalks;
 };
 
 enum class BodyPart : std::uint8_t { kQuick, kSingles, kEffectFree, kPairs, kOutside, kAll };

@@ -32,6 +32,8 @@ Motion steps(Rng& rng);
 Motion squats(Rng& rng);
 Motion sways(Rng& rng);
 Motion walk(Rng& rng);
+/// Both ankles turn at about this rate, rad/s; positive: forward.
+Motion bow(double rate, Rng& rng);
 /// Nothing moves.
 Motion stance();
 

@@ -76,6 +76,15 @@ Motion walk(Rng& rng) {
   };
 }
 
+Motion bow(double rate, Rng& rng) {
+  const double each = rate * rng.between(0.9, 1.1);
+  return [each](double t) {
+    RowCommands out{goalsOf(kStanding)};
+    at(out.goals, Joint::kAnkleR) += each * t, at(out.goals, Joint::kAnkleL) -= each * t;
+    return out;
+  };
+}
+
 Motion stance() {
   return [](double) { return RowCommands{goalsOf(kStanding)}; };
 }

@@ -1,0 +1,13 @@
+// Each case of the whole robot with what is hidden and what was answered, as a table in Markdown.
+#pragma once
+
+#include <string>
+
+#include "gap/benchmark/score/body/body_answers.hpp"
+
+namespace darwinop::gap {
+
+/// In the order of the keys. Numbers as in key and answer, whatever the time of an answer.
+std::string bodyCaseTable(const BodyKeys& keys, const BodyAnswers& answers);
+
+}  // namespace darwinop::gap
