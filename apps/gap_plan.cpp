@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/json/json_text.hpp"
 #include "core/text/number_text.hpp"
 #include "experiments/format/phase_reader.hpp"
 #include "gap/identify/identification.hpp"
+#include "gap/plan/body/motion_ranking.hpp"
 #include "gap/plan/question.hpp"
 #include "gap/plan/write_experiments.hpp"
 #include "gap_commands.hpp"
@@ -26,7 +28,21 @@ std::vector<std::string> partsOf(const std::string& list) {
 
 }  // namespace
 
+int planForBody(const Arguments& given) {
+  if (!given.against.empty() || !given.write.empty() || given.hangs_at_rad)
+    throw std::runtime_error(
+        "--against, --write and --hangs-at are for cases of one servo; leave them out for a whole robot");
+  const BodyCase read = readBodyCase(given.folder);
+  const BodyIdentification found = identify(read);
+  if (!given.json)
+    std::cerr << "darwinop gap: verdict: " << nameOf(found.verdict) << "\ndarwinop gap: simulating the motions\n";
+  const BodyPlan plan = nextMotions(read, questionAfter(read, found), plannedMotions());
+  std::cout << (given.json ? jsonText(asJson(plan), 1) + "\n" : asText(plan));
+  return 0;
+}
+
 int planNext(const Arguments& given) {
+  if (isBodyCase(given.folder)) return planForBody(given);
   const Case read = readCase(given.folder);
   const ArmSetup stand = armSetupFor(experiments::jointNamed(given.joint), given.hangs_at_rad);
   const ProgressCallback progress = [&](const std::string& what) {

@@ -1,0 +1,106 @@
+// A plan for the whole robot, for people and for programs.
+#include <algorithm>
+#include <cmath>
+
+#include "core/text/formatted.hpp"
+#include "core/text/joined.hpp"
+#include "gap/plan/body/motion_ranking.hpp"
+#include "gap/plan/thresholds.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using BodyObject = nlohmann::ordered_json;
+
+constexpr std::size_t kListedMotions = 6;
+
+std::vector<std::string> namesIn(const BodyQuestion& question, std::size_t from) {
+  std::vector<std::string> names;
+  for (std::size_t i = from; i < question.models.size(); ++i) names.push_back(question.models[i].name);
+  return names;
+}
+
+/// "link_com Body from floor_tilt floor"; in the order of RankedMotion::differences.
+std::vector<std::string> pairsOf(const BodyQuestion& question) {
+  std::vector<std::string> pairs;
+  for (std::size_t a = 0; a < (question.is_rivalry ? question.models.size() : 1); ++a)
+    for (std::size_t b = a + 1; b < question.models.size(); ++b)
+      pairs.push_back(question.is_rivalry ? question.models[a].name + " from " + question.models[b].name
+                                          : question.models[b].name);
+  return pairs;
+}
+
+std::string sigmasText(double sigma) {
+  return sigma > thresholds::kMostPrintedSigmas
+             ? text::formatted("more than %.0f sigma", thresholds::kMostPrintedSigmas)
+             : text::formatted("%.1f sigma", sigma);
+}
+
+bool isShown(const SignalDifference& difference) {
+  return difference.sigma >= thresholds::kListedAsShown;
+}
+
+std::string setupJson(const PlannedMotion& motion) {
+  BodyObject entry{{"file", motion.experiment + ".csv"}, {"role", "fit"}, {"setup", name(motion.setup)}};
+  if (motion.up) entry["up"] = *motion.up;
+  if (!motion.lies_on.empty()) entry["up"] = motion.lies_on;
+  return entry.dump();
+}
+
+std::string textOf(const RankedMotion& ranked, const std::vector<std::string>& pairs) {
+  std::string text = ranked.motion.name() + text::formatted(": %.1f min; first ", ranked.motion.seconds / 60) +
+                     ranked.motion.prepare + "\n";
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const SignalDifference& difference = ranked.differences[i];
+    if (isShown(difference))
+      text += "     " + pairs[i] + ": " + sigmasText(difference.sigma) + ", most in " + difference.largest +
+              text::formatted(" (%.2g noise floors)\n", difference.floors);
+  }
+  return text + "     darwinop experiment run " + ranked.motion.experiment + " --record " + ranked.motion.experiment +
+         ".csv\n     case.json: " + setupJson(ranked.motion) + "\n";
+}
+
+}  // namespace
+
+std::string asText(const BodyPlan& plan) {
+  const BodyQuestion& question = plan.question;
+  if (question.models.size() < 2) return "The recordings of this case show every effect that is planned for.\n";
+  std::string text = question.is_rivalry
+                         ? "Recordings that separate " + text::joined(namesIn(question, 0)) + ":\n"
+                         : "Effects that these recordings cannot show: " + text::joined(namesIn(question, 1)) +
+                               ".\nRecordings that show them:\n";
+  const std::vector<std::string> pairs = pairsOf(question);
+  std::size_t listed = 0;
+  for (const RankedMotion& ranked : plan.ranked)
+    if (listed < kListedMotions && std::ranges::any_of(ranked.differences, isShown))
+      text += text::formatted("%3zu  ", ++listed) + textOf(ranked, pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (std::ranges::none_of(plan.ranked, [&](const RankedMotion& one) { return isShown(one.differences[i]); }))
+      text += "No motion known here: " + pairs[i] + "\n";
+  return text;
+}
+
+nlohmann::ordered_json asJson(const BodyPlan& plan) {
+  BodyObject motions = BodyObject::array();
+  const std::vector<std::string> pairs = pairsOf(plan.question);
+  for (const RankedMotion& ranked : plan.ranked) {
+    BodyObject shows = BodyObject::array();
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      shows.push_back({{"what", pairs[i]},
+                       {"sigma", ranked.differences[i].sigma},
+                       {"signal", ranked.differences[i].largest},
+                       {"floors", ranked.differences[i].floors}});
+    motions.push_back({{"experiment", ranked.motion.experiment},
+                       {"where", ranked.motion.where},
+                       {"first", ranked.motion.prepare},
+                       {"seconds", ranked.motion.seconds},
+                       {"gain_per_minute", ranked.perMinute()},
+                       {"shows", shows},
+                       {"entry", BodyObject::parse(setupJson(ranked.motion))}});
+  }
+  return {{"aim", plan.question.is_rivalry ? "separate" : "reveal"},
+          {"models", namesIn(plan.question, 0)},
+          {"experiments", motions}};
+}
+
+}  // namespace darwinop::gap
