@@ -40,7 +40,7 @@ class RecordedJoint : public testing::Test {
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> ids;
     const auto json = nlohmann::json::parse(textOf(folder_ / "report/report.json"));
-    for (const auto& effect : json.at("effects")) ids.push_back(effect.at("effect"));
+    for (const auto& effect : json.at("effects")) ids.push_back(effect.at("id"));
     return ids;
   }
 

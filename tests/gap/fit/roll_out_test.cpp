@@ -47,13 +47,17 @@ TEST(RollOut, AGoalActsBetweenItsWriteAndTheReadOfItsRow) {
   EXPECT_EQ(first_row() + 1, one_row_late);
   log.read_s = log.written_s;
   EXPECT_EQ(first_row(), one_row_late) << "no period between the two";
+  // A firmware of its own is read at any phase: half a period has a period's end in it, or has not.
   log.is_phase_known = false;
-  const Disturbance one{.seed = 1, .torque_nm = 0, .supply_v = 0, .encoder_ticks = 0},
-      other{.seed = 2, .torque_nm = 0, .supply_v = 0, .encoder_ticks = 0};
-  const auto moved = [&](const Disturbance& noise) {
-    return traceOf(bench, 0, baselineOf(bench), &noise)[kLoadSignal][one_row_late];
-  };
-  EXPECT_NE(moved(one), moved(other)) << "a firmware of its own is read at any phase";
+  for (std::size_t row = 0; row < log.rows(); ++row) log.read_s[row] = log.written_s[row] + 0.0005;
+  int soon = 0;
+  constexpr int kRepeats = 40;
+  for (std::uint64_t seed = 1; seed <= kRepeats; ++seed) {
+    const Disturbance repeat{.seed = seed, .torque_nm = 0, .supply_v = 0, .encoder_ticks = 0};
+    if (firstRowBeyond(traceOf(bench, 0, baselineOf(bench), &repeat)[kLoadSignal], 0.1) < one_row_late) ++soon;
+  }
+  EXPECT_GT(soon, kRepeats / 4);
+  EXPECT_LT(soon, 3 * kRepeats / 4);
 }
 
 // Friction holds an arm anywhere near its goal: the log says where, the model whether it can.
