@@ -52,6 +52,7 @@ std::vector<FloorEffect> contactEffects(const twin::Model& model) {
   out.push_back({.id = "floor_tilt",
                  .at = "floor",
                  .is_linear = true,
+                 .is_of_load = true,
                  .numbers = {tilt, tilt},
                  .neutral = {0, 0},
                  .starts = oneByOne({0, 0}, 0, 0.02),
@@ -74,6 +75,7 @@ std::vector<FloorEffect> trunkEffects(const twin::Model& model) {
   std::vector<FloorEffect> out;
   out.push_back({.id = "link_mass",
                  .at = "Body",
+                 .is_of_load = true,
                  .numbers = numbers,
                  .neutral = {0, 0, 0, 0},
                  .starts = {{0.1, 0, 0, 0}, {0.3, 0, 0, 0}, {0.15, 0, 0, 0.04}, {0.15, 0, 0, -0.04}},
@@ -84,6 +86,7 @@ std::vector<FloorEffect> trunkEffects(const twin::Model& model) {
   out.push_back({.id = "link_com",
                  .at = "Body",
                  .is_linear = true,
+                 .is_of_load = true,
                  .numbers = {shift, shift, shift},
                  .neutral = {0, 0, 0},
                  .starts = oneByOne({0, 0, 0}, 0, 0.005),

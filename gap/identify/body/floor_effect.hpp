@@ -33,6 +33,7 @@ struct FloorEffect {
   std::string_view id, at;
   bool is_of_sensor = false;  // needs no simulation
   bool is_linear = false;     // starts are combined
+  bool is_of_load = false;    // acts by weight or its direction: a mass that moves in a limb looks like it
   std::vector<Number> numbers;
   std::vector<double> neutral;
   std::vector<std::vector<double>> starts;

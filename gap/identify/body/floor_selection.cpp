@@ -93,6 +93,10 @@ class FloorSearch {
     const double least =
         std::max(thresholds::kFloorShare * excessOf(now), thresholds::kMechanicsRemainder * excess_of_none_);
     if (!(best.evidence > -2 * std::log(thresholds::kMechanicalChance) && cost - best.fit.cost > least)) return false;
+    if (isOfLimb(*best.fit.set.back().effect, ignored_)) {
+      out_.tried.push_back(best.fit.set.back());
+      return false;
+    }
     const FloorErrors errors = heldOutFloor(given_, imu_, evaluator_.modelOf(best.fit.set));
     if (riseOf(errors, out_.held_out_after) > thresholds::kHeldOutRise) {
       out_.tried.push_back(best.fit.set.back());
@@ -153,6 +157,10 @@ class FloorSearch {
 };
 
 }  // namespace
+
+bool isOfLimb(const FloorEffect& effect, const std::vector<Joint>& unexplained) {
+  return effect.is_of_load && !unexplained.empty();
+}
 
 FloorSelection identifyFloor(const BodyCase& given, const FloorModel& about, const std::vector<Joint>& ignored,
                              std::size_t other_rows) {

@@ -23,6 +23,10 @@ struct FloorSelection {
   FloorErrors held_out_before, held_out_after;
 };
 
+/// What a limb does that clamped logs leave unexplained may be all there is of the effect: trunk and sensors feel the
+/// reaction of the limb, whether or not its own joints are compared.
+bool isOfLimb(const FloorEffect& effect, const std::vector<Joint>& unexplained);
+
 /// `about`: the model with all that clamped logs have shown. `ignored`: joints that they leave unexplained.
 /// `other_rows`: of the table, that compete for the level of significance.
 FloorSelection identifyFloor(const BodyCase& given, const FloorModel& about, const std::vector<Joint>& ignored,
