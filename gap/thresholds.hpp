@@ -337,6 +337,8 @@ inline constexpr double kReleasedFactor = 3;
 inline constexpr double kStopMargin = 0.05, kCaught = 0.3;
 /// Prior standard deviations of a difference step of a limb's numbers.
 inline constexpr double kPriorStep = 1;
+/// Steps of Gauss and Newton towards the most probable numbers of a limb. A matter of run time.
+inline constexpr int kNumberSteps = 3;
 /// Duty. Noise of measured load minus control law, whatever the register resolves: a position that is wrong by a tick.
 inline constexpr double kLawResidual = 0.002;
 /// Chance that the best of all names of a robot's mechanics earns its place in recordings of a right model.
@@ -357,6 +359,8 @@ inline constexpr double kMechanicsRemainder = 0.002;
 inline constexpr double kDecidingChange = 25;
 /// Ratio of held-out errors from which an effect of the mechanics worsens them and is dropped: repeats differ by 1 %.
 inline constexpr double kHeldOutRise = 1.03;
+/// Rivals of a mass or centre of mass that are listed, the most probable ones: a set of three. From the specification.
+inline constexpr std::size_t kMostLinkRivals = 2;
 /// Effects of the mechanics that are looked for. From the specification (two, and a spare).
 inline constexpr std::size_t kMostMechanics = 3;
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
+
+#include "gap/localize/body/close_by_numbers.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -61,6 +64,9 @@ BodyIdentification identify(const BodyCase& given, BodyScope scope) {
     out.battery = identifyBattery(given);
     ClampedRobot robot{given, out.battery.has_value()};
     out.table = localize(given, imu, robot);
+    std::vector<std::size_t> limbs(robot.limbs().size());
+    std::iota(limbs.begin(), limbs.end(), std::size_t{0});
+    if (closeByNumbers(robot, limbs, robot.baseline(), out.table.open_from)) out.table = localize(given, imu, robot);
     out.mechanics = identifyMechanics(robot, out.table);
     out.sensors = identifySensors(given, imu, out.table);
     const std::vector<Joint> unexplained = unexplainedJoints(robot, out.mechanics);

@@ -1,19 +1,26 @@
 #include "gap/localize/body/body_nuisances.hpp"
 
+#include <algorithm>
+
 #include "gap/plant/body/joint_alone.hpp"
+#include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
 
+std::vector<double> valuesAt(const BodyHypothesis& robot, const twin::EffectInfo& effect, Joint joint) {
+  const Hypothesis alone = atJoint(robot.servos, joint);
+  const twin::EffectSetting* const now = alone.find(effect.id);
+  return now == nullptr ? std::vector<double>{} : now->values;
+}
+
 /// Friction of one joint by a factor: the setting of its own replaces that of all joints.
 void scaleFriction(BodyHypothesis& robot, const twin::EffectInfo& effect, Joint joint, double factor) {
   const Place own{.kind = Place::Kind::kJoint, .name = std::string{row(joint).name}};
-  const Hypothesis alone = atJoint(robot.servos, joint);
-  const twin::EffectSetting* const now = alone.find(effect.id);
-  if (now == nullptr) return;
-  std::vector<double> values = now->values;
-  values[0] *= factor;
+  std::vector<double> values = valuesAt(robot, effect, joint);
+  if (values.empty()) return;
+  values[0] *= std::max(thresholds::kLeastPriorShare, factor);
   robot.servos.with(effect, own).values = std::move(values);
 }
 
@@ -41,10 +48,14 @@ std::vector<BodyNuisance> nuisancesOf(const BodyCase& given, const Limb& limb) {
     if (const double sigma = given.sigmaOf("friction"); sigma > 0)
       for (const auto role : {twin::ParameterRole::kDryFriction, twin::ParameterRole::kViscousFriction}) {
         const twin::EffectInfo& effect = *twin::effectWith(role);
-        out.push_back(
-            {name + " " + std::string{effect.id}, [&effect, joint, sigma](BodyHypothesis& robot, double sigmas) {
-               scaleFriction(robot, effect, joint, 1 + sigmas * sigma);
-             }});
+        const std::vector<double> believed = valuesAt({.servos = bodyBaselineOf(given), .links = {}}, effect, joint);
+        out.push_back({name + " " + std::string{effect.id},
+                       [&effect, joint, sigma](BodyHypothesis& robot, double sigmas) {
+                         scaleFriction(robot, effect, joint, 1 + sigmas * sigma);
+                       },
+                       [&effect, joint, believed](const BodyHypothesis& robot) {
+                         return valuesAt(robot, effect, joint) != believed;
+                       }});
       }
     if (const double sigma = given.sigmaOf("body.mass"); sigma > 0)
       out.push_back({name + " mass", [joint, mass = link.mass_kg * sigma](BodyHypothesis& robot, double sigmas) {

@@ -12,6 +12,8 @@ namespace darwinop::gap {
 struct BodyNuisance {
   std::string name;
   std::function<void(BodyHypothesis&, double sigmas)> move;  // from where the hypothesis has it
+  /// An effect of the hypothesis has a number of its own in its place. Empty: never.
+  std::function<bool(const BodyHypothesis&)> is_replaced = {};
 };
 
 /// By BodyCase::trust; none where the model is exact.

@@ -55,6 +55,7 @@ nlohmann::ordered_json asJson(const BodyTable& table);
 std::vector<BodyRow> jointRows(const BodyCase& given);
 std::vector<BodyRow> imuRows(const BodyCase& given, const RestingImu& imu);
 /// A row for each joint, limb by limb; none where the robot cannot be tested.
+std::vector<BodyRow> limbRows(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& hypothesis);
 std::vector<BodyRow> mechanicsRows(const ClampedRobot& robot, const BodyHypothesis& hypothesis);
 
 }  // namespace darwinop::gap

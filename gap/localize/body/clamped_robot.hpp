@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "gap/localize/body/limb_residuals.hpp"
 
@@ -24,6 +25,11 @@ class ClampedRobot {
 
   /// Estimates the noise of these limbs about this model.
   void renew(const std::vector<std::size_t>& limbs, const BodyHypothesis& about);
+  /// Returns what was in its place.
+  std::unique_ptr<LimbResiduals> replace(std::size_t limb, std::unique_ptr<LimbResiduals> by) {
+    std::swap(residuals_[limb], by);
+    return by;
+  }
 
  private:
   const BodyCase& given_;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "gap/localize/body/body_nuisances.hpp"
 #include "gap/localize/body/row_law.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"
@@ -53,8 +52,13 @@ std::vector<std::size_t> clampedLogs(const BodyCase& given, bool held_out) {
 }
 
 LimbResiduals::LimbResiduals(const BodyCase& given, std::vector<std::size_t> logs, const Limb& limb,
-                             const BodyHypothesis& about)
-    : given_{given}, limb_{limb}, logs_{std::move(logs)} {
+                             const BodyHypothesis& about, Eigen::VectorXd numbers)
+    : given_{given},
+      limb_{limb},
+      logs_{std::move(logs)},
+      nuisances_{nuisancesOf(given, limb)},
+      numbers_{std::move(numbers)} {
+  if (numbers_.size() == 0) numbers_ = Eigen::VectorXd::Zero(std::ssize(nuisances_));
   Eigen::Index size = 0;
   for (const std::size_t log : logs_)
     for (std::size_t joint = 0; joint < limb_.size(); ++joint)
@@ -74,7 +78,7 @@ LimbResiduals::LimbResiduals(const BodyCase& given, std::vector<std::size_t> log
       if (is_lost[r] && !block.is_load) measured_[block.begin + row] = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  estimateNoise(about);
+  estimateNoise(moved(about, numbers_));
   addPriors(about);
   forgetUnmeasured(measured_, directions_);
   modes_ = NoiseModes{directions_};
@@ -106,25 +110,6 @@ Eigen::VectorXd LimbResiduals::simulated(const BodyHypothesis& hypothesis, const
     }
   }
   return out;
-}
-
-void LimbResiduals::addPriors(const BodyHypothesis& about) {
-  const std::vector<BodyNuisance> numbers = nuisancesOf(given_, limb_);
-  if (numbers.empty()) return;
-  const Eigen::VectorXd here = simulated(about, nullptr);
-  const Eigen::Index runs = directions_.cols();
-  directions_.conservativeResize(Eigen::NoChange, runs + static_cast<Eigen::Index>(numbers.size()));
-  forEach(numbers.size(), [&](std::size_t i) {
-    BodyHypothesis moved = about;
-    numbers[i].move(moved, thresholds::kPriorStep);
-    directions_.col(runs + static_cast<Eigen::Index>(i)) =
-        (simulated(moved, nullptr) - here).cwiseQuotient(sigma_) / thresholds::kPriorStep;
-  });
-  directions_ = directions_.unaryExpr([](double value) { return std::isfinite(value) ? value : 0.0; });
-}
-
-Eigen::VectorXd LimbResiduals::scaled(const BodyHypothesis& hypothesis) const {
-  return inSigmas(measured_ - simulated(hypothesis, nullptr), measured_, sigma_);
 }
 
 }  // namespace darwinop::gap

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "gap/localize/body/body_nuisances.hpp"
 #include "gap/localize/body/noise_modes.hpp"
 #include "gap/plant/body/limb_roll_out.hpp"
 
@@ -23,8 +26,18 @@ std::vector<std::size_t> clampedLogs(const BodyCase& given, bool held_out);
 
 class LimbResiduals {
  public:
-  /// Noise and priors are those of robots near `about`.
-  LimbResiduals(const BodyCase& given, std::vector<std::size_t> logs, const Limb& limb, const BodyHypothesis& about);
+  /// Noise and priors are those of robots near `about`. `numbers`: of nuisancesOf(), in prior standard deviations,
+  /// where priors are linearized; their penalty stays in the residuals. Empty: where the model has them.
+  LimbResiduals(const BodyCase& given, std::vector<std::size_t> logs, const Limb& limb, const BodyHypothesis& about,
+                Eigen::VectorXd numbers = {});
+
+  /// One step of Gauss and Newton towards the most probable numbers, no further than their priors reach. Nothing: no
+  /// better ones were found.
+  [[nodiscard]] std::optional<Eigen::VectorXd> betterNumbers(const BodyHypothesis& about) const;
+  /// The same samples about other numbers.
+  [[nodiscard]] std::unique_ptr<LimbResiduals> about(const BodyHypothesis& about, Eigen::VectorXd numbers) const {
+    return std::make_unique<LimbResiduals>(given_, logs_, limb_, about, std::move(numbers));
+  }
 
   /// In standard deviations of one sample; a missing sample is 0.
   [[nodiscard]] Eigen::VectorXd scaled(const BodyHypothesis& hypothesis) const;
@@ -43,6 +56,13 @@ class LimbResiduals {
   [[nodiscard]] Eigen::VectorXd simulated(const BodyHypothesis& hypothesis, const Disturbance* noise) const;
   void estimateNoise(const BodyHypothesis& about);
   void addPriors(const BodyHypothesis& about);
+  /// An effect of the hypothesis has a number of its own.
+  [[nodiscard]] bool isReplaced(std::size_t nuisance, const BodyHypothesis& by) const;
+  /// A hypothesis with these numbers, but for those that its own effects replace.
+  [[nodiscard]] BodyHypothesis moved(BodyHypothesis hypothesis, const Eigen::VectorXd& numbers) const;
+  [[nodiscard]] Eigen::VectorXd inSigmasOf(const BodyHypothesis& exact) const;
+  /// Minus twice the log posterior of numbers, but for a constant.
+  [[nodiscard]] double costOf(const BodyHypothesis& about, const Eigen::VectorXd& numbers) const;
   /// Index in the robot.
   [[nodiscard]] std::size_t jointOf(const LimbSamples& block) const {
     return static_cast<std::size_t>(limb_[static_cast<std::size_t>(block.joint)].joint);
@@ -53,8 +73,10 @@ class LimbResiduals {
   std::vector<std::size_t> logs_;
   std::vector<LimbSamples> blocks_;
   Eigen::VectorXd measured_, sigma_;
+  std::vector<BodyNuisance> nuisances_;
+  Eigen::VectorXd numbers_;     // one of each nuisance
   Eigen::MatrixXd directions_;  // of noise and of priors, in sigmas
-  NoiseModes modes_;
+  NoiseModes modes_, modes_of_noise_;
 };
 
 }  // namespace darwinop::gap
