@@ -51,4 +51,9 @@ struct PlacedMechanics {
   }
 };
 
+/// Mass and centre of mass of one link.
+inline bool sameLink(const PlacedMechanics& a, const PlacedMechanics& b) {
+  return a.effect->is_of_link && b.effect->is_of_link && a.joints == b.joints && a.effect != b.effect;
+}
+
 }  // namespace darwinop::gap

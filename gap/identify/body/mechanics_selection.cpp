@@ -6,26 +6,14 @@
 #include "gap/identify/body/controller_selection.hpp"
 #include "gap/identify/body/held_out_motion.hpp"
 #include "gap/identify/body/log_agreement.hpp"
+#include "gap/identify/body/mechanics_entry.hpp"
 #include "gap/identify/body/mechanics_screen.hpp"
+#include "gap/localize/body/close_by_numbers.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-/// Of a free number (Schwarz 1978), for the samples of a joint.
-double numberPrice(const ClampedRobot& robot, const std::vector<std::size_t>& limbs) {
-  double samples = 0;
-  for (const std::size_t limb : limbs)
-    samples += static_cast<double>(robot.residuals(limb).size()) / static_cast<double>(2 * robot.limbs()[limb].size());
-  return std::log(std::max(2.0, samples));
-}
-
-double costOf(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& hypothesis) {
-  double sum = 0;
-  for (const std::size_t limb : limbs) sum += robustCost(robot.residuals(limb).of(hypothesis));
-  return sum;
-}
 
 /// Cost beyond that of a right model, in each limb.
 std::vector<double> excessOf(const ClampedRobot& robot, const BodyHypothesis& hypothesis) {
@@ -37,56 +25,13 @@ std::vector<double> excessOf(const ClampedRobot& robot, const BodyHypothesis& hy
   return out;
 }
 
-struct Entry {
-  MechanicsFit fit;
-  double evidence = 0;  // gain of the cost less the prices
-  double gain = 0;
-};
-
-std::vector<std::size_t> openLimbs(const ClampedRobot& robot, const std::vector<BodyRow>& rows, double open_from) {
-  std::vector<std::size_t> out;
-  std::size_t row = 0;
-  for (std::size_t limb = 0; limb < robot.limbs().size(); ++limb) {
-    bool is_open = false;
-    for (std::size_t joint = 0; joint < robot.limbs()[limb].size(); ++joint, ++row)
-      is_open = is_open || rows[row].significance > open_from;
-    if (is_open) out.push_back(limb);
-  }
-  return out;
-}
-
-std::vector<PlacedMechanics> effectsOf(const std::vector<FoundMechanics>& found) {
-  std::vector<PlacedMechanics> out;
-  for (const FoundMechanics& one : found) out.push_back(one.placed);
-  return out;
-}
-
-/// Candidates of the screen, fitted; best first.
-std::vector<Entry> fitted(const ClampedRobot& robot, const std::vector<FoundMechanics>& found,
-                          const std::vector<MechanicsCandidate>& candidates) {
-  const std::size_t count = std::min(candidates.size(), thresholds::kFittedMechanics);
-  std::vector<Entry> out(count);
-  forEach(count, [&](std::size_t i) {
-    std::vector<PlacedMechanics> effects = effectsOf(found);
-    effects.push_back(candidates[i].placed);
-    const std::vector<std::size_t> limbs = limbsOf(robot, {candidates[i].placed});
-    const double before = costOf(robot, limbs, with(robot, effectsOf(found)));
-    Entry& entry = out[i];
-    entry.fit = fitMechanics(robot, effects, {effects.size() - 1}, false, thresholds::kMechanicsIterations);
-    entry.gain = before - entry.fit.cost;
-    entry.evidence = entry.gain - namePrice(candidates[i].placed) -
-                     static_cast<double>(entry.fit.numbers) * numberPrice(robot, limbs);
-  });
-  std::ranges::stable_sort(out, std::greater{}, &Entry::evidence);
-  return out;
-}
-
 /// Fitted candidates of the next effect, best first.
-std::vector<Entry> nextEffects(const ClampedRobot& robot, const std::vector<FoundMechanics>& found,
-                               const std::vector<std::size_t>& open, const std::vector<double>& excess) {
+std::vector<MechanicsEntry> nextEffects(const ClampedRobot& robot, const std::vector<FoundMechanics>& found,
+                                        const std::vector<std::size_t>& open, const std::vector<double>& excess) {
   const std::vector<PlacedMechanics> now = effectsOf(found);
   if (open.size() == robot.limbs().size()) {
-    std::vector<Entry> common = fitted(robot, found, screenMechanics(robot, open, now, ScreenedPlaces::kAllJoints));
+    std::vector<MechanicsEntry> common =
+        fitted(robot, found, screenMechanics(robot, open, now, ScreenedPlaces::kAllJoints));
     double sum = 0;
     for (const double one : excess) sum += one;
     if (!common.empty() && common.front().gain > thresholds::kExplainedGapShare * sum) return common;
@@ -138,14 +83,6 @@ void dropUnexplained(const ClampedRobot& robot, double open_from, MechanicsSelec
 
 }  // namespace
 
-double namePrice(const PlacedMechanics& placed) {
-  const double effects = static_cast<double>(mechanicalEffects().size());
-  double places = kJoints;
-  if (placed.joints.size() == 2) places = kJoints / 2 - 1;
-  if (placed.joints.size() == kJoints) places = 1;
-  return 2 * std::log(effects * places);
-}
-
 MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table) {
   MechanicsSelection out;
   out.found = identifyControllers(robot.given(), robot.baseline(), table.open_from);
@@ -153,27 +90,27 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
   if (!out.found.empty()) robot.renew(limbsOf(robot, effectsOf(out.found)), with(robot, effectsOf(out.found)));
   const double threshold = -2 * std::log(thresholds::kMechanicalChance);
   const std::vector<double> before = excessOf(robot, robot.baseline());
-  const auto renewRows = [&] {
+  // Limbs whose residuals are new may be off within their priors.
+  const auto renewRows = [&](const std::vector<std::size_t>& limbs) {
+    closeByNumbers(robot, limbs, with(robot, effectsOf(out.found)), table.open_from);
     out.rows = mechanicsRows(robot, with(robot, effectsOf(out.found)));
     for (BodyRow& row : out.rows) row.open = row.significance > table.open_from;
   };
-  renewRows();
+  renewRows(limbsOf(robot, effectsOf(out.found)));
   while (out.found.size() < thresholds::kMostMechanics) {
     const std::vector<std::size_t> open = openLimbs(robot, out.rows, table.open_from);
     if (open.empty()) break;
     const std::vector<double> excess = excessOf(robot, with(robot, effectsOf(out.found)));
-    std::vector<Entry> entries = nextEffects(robot, out.found, open, excess);
+    std::vector<MechanicsEntry> entries = nextEffects(robot, out.found, open, excess);
     if (entries.empty()) break;
-    const Entry& best = entries.front();
+    const MechanicsEntry& best = entries.front();
     FoundMechanics one{.placed = best.fit.effects.back(), .sigmas = {}, .rivals = {}, .gain = best.gain};
     const std::vector<std::size_t> limbs = limbsOf(robot, {one.placed});
     one.excess_before = sumOver(limbs, excess);
     const double share = std::max(thresholds::kMechanicsShare * sumOver(limbs, excess),
                                   thresholds::kMechanicsRemainder * sumOver(limbs, before));
     if (best.evidence < std::max(threshold, share)) break;
-    for (const Entry& rival : entries)
-      if (!rival.fit.effects.back().sameName(one.placed) && best.evidence - rival.evidence < thresholds::kRivalEvidence)
-        one.rivals.push_back(rival.fit.effects.back());
+    one.rivals = rivalsOf(entries);
     const std::vector<FoundMechanics> without = out.found;
     const double unseen = heldOutError(robot, with(robot, effectsOf(without)));
     out.found.push_back(std::move(one));
@@ -184,14 +121,14 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
       out.tried.push_back(out.found.back().placed);
       out.found = without;
       robot.renew(limbs, with(robot, effectsOf(without)));
-      renewRows();
+      renewRows(limbs);
       break;
     }
-    renewRows();
+    renewRows(limbs);
   }
   const std::size_t count = out.found.size();
   dropUnexplained(robot, table.open_from, out);
-  if (out.found.size() < count) renewRows();
+  if (out.found.size() < count) renewRows({});
   out.held_out_before = heldOutError(robot, robot.baseline());
   out.held_out_after = heldOutError(robot, with(robot, effectsOf(out.found)));
   out.held_out_floor = kEncoderNoise;

@@ -123,5 +123,32 @@ TEST(BodyMechanics, APriorOfTheFrictionHidesWhatItAllows) {
   EXPECT_EQ((localize(given, RestingImu{given.joints.model}, ClampedRobot{given}).open()), 0u);
 }
 
+TEST(BodyMechanics, AFitOfALimbsNumbersFindsTheOneThatIsOffAndLeavesASmallerGap) {
+  BodyHypothesis hidden = shippedRobot();
+  hidden.servos.with(*twin::findEffect("coulomb"), at(Joint::kArmUpperR)).values = {0.025 * 2.5};
+  BodyCase given = movingRobot(hidden);
+  given.trust["friction"] = 0.6;
+  const ClampedRobot robot{given};
+  const LimbResiduals& before = robot.residuals(robot.limbOf(Joint::kArmUpperR));
+  const std::optional<Eigen::VectorXd> numbers = before.betterNumbers(robot.baseline());
+  ASSERT_TRUE(numbers);
+  const std::vector<BodyNuisance> names = nuisancesOf(given, before.limb());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i].name == "ArmUpperR coulomb") EXPECT_NEAR((*numbers)[static_cast<Eigen::Index>(i)], 2.5, 0.6);
+  EXPECT_LT(before.about(robot.baseline(), *numbers)->of(robot.baseline()).squaredNorm(),
+            before.of(robot.baseline()).squaredNorm());
+}
+
+TEST(BodyMechanics, AFrictionBeyondItsPriorIsNamedWithItsNumber) {
+  BodyHypothesis hidden = shippedRobot();
+  hidden.servos.with(*twin::findEffect("coulomb"), at(Joint::kArmUpperR)).values = {0.125};
+  BodyCase given = movingRobot(hidden);
+  given.trust["friction"] = 0.2;
+  const BodyIdentification answer = identify(given);
+  ASSERT_THAT(answer.mechanics.found, SizeIs(1));
+  EXPECT_EQ(answer.mechanics.found.front().placed.effect->id, "coulomb");
+  EXPECT_NEAR(answer.mechanics.found.front().placed.values[0], 0.125, 0.015);
+}
+
 }  // namespace
 }  // namespace darwinop::gap
