@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "gap/body/moving_robot.hpp"
 #include "gap/identify/body/body_identification.hpp"
@@ -133,8 +134,9 @@ TEST(BodyMechanics, AFitOfALimbsNumbersFindsTheOneThatIsOffAndLeavesASmallerGap)
   const std::optional<Eigen::VectorXd> numbers = before.betterNumbers(robot.baseline());
   ASSERT_TRUE(numbers);
   const std::vector<BodyNuisance> names = nuisancesOf(given, before.limb());
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i].name == "ArmUpperR coulomb") EXPECT_NEAR((*numbers)[static_cast<Eigen::Index>(i)], 2.5, 0.6);
+  const auto friction = std::ranges::find(names, "ArmUpperR coulomb", &BodyNuisance::name) - names.begin();
+  ASSERT_LT(friction, numbers->size());
+  EXPECT_NEAR((*numbers)[friction], 2.5, 0.6);
   EXPECT_LT(before.about(robot.baseline(), *numbers)->of(robot.baseline()).squaredNorm(),
             before.of(robot.baseline()).squaredNorm());
 }
