@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/identify/body/controller_selection.hpp"
+#include "gap/identify/body/declared_numbers.hpp"
 #include "gap/identify/body/held_out_motion.hpp"
 #include "gap/identify/body/log_agreement.hpp"
 #include "gap/identify/body/mechanics_entry.hpp"
@@ -45,15 +46,18 @@ double sumOver(const std::vector<std::size_t>& limbs, const std::vector<double>&
   return sum;
 }
 
+bool sharesLimb(const ClampedRobot& robot, const PlacedMechanics& effect, const std::vector<std::size_t>& limbs) {
+  return std::ranges::any_of(limbsOf(robot, {effect}),
+                             [&](std::size_t own) { return std::ranges::find(limbs, own) != limbs.end(); });
+}
+
 /// Estimates the noise about what was found, and fits all numbers in the limbs of the last effect together.
 void refit(ClampedRobot& robot, std::vector<FoundMechanics>& found) {
   const std::vector<std::size_t> touched = limbsOf(robot, {found.back().placed});
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::vector<std::size_t> own = limbsOf(robot, {found[i].placed});
     if (found[i].is_in_controller) continue;  // a motion that is not quite right must not move what loads show directly
-    if (std::ranges::any_of(own, [&](auto limb) { return std::ranges::find(touched, limb) != touched.end(); }))
-      free.push_back(i);
+    if (sharesLimb(robot, found[i].placed, touched)) free.push_back(i);
   }
   robot.renew(touched, with(robot, effectsOf(found)));
   const MechanicsFit all = fitMechanics(robot, effectsOf(found), free, false, thresholds::kMechanicsIterations);
@@ -65,11 +69,8 @@ void dropUnexplained(const ClampedRobot& robot, double open_from, MechanicsSelec
   const std::vector<double> after = excessOf(robot, with(robot, effectsOf(selection.found)));
   const std::vector<std::size_t> open = openLimbs(robot, selection.rows, open_from);
   const auto isExplained = [&](const FoundMechanics& one) {
-    const std::vector<std::size_t> limbs = limbsOf(robot, {one.placed});
-    const bool is_open =
-        std::ranges::any_of(limbs, [&](std::size_t limb) { return std::ranges::find(open, limb) != open.end(); });
-    return one.is_in_controller || !is_open ||
-           sumOver(limbs, after) < (1 - thresholds::kExplainedGapShare) * one.excess_before;
+    return one.is_in_controller || !sharesLimb(robot, one.placed, open) ||
+           sumOver(limbsOf(robot, {one.placed}), after) < (1 - thresholds::kExplainedGapShare) * one.excess_before;
   };
   std::vector<FoundMechanics> kept;
   for (FoundMechanics& one : selection.found) {
@@ -90,8 +91,11 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
   if (!out.found.empty()) robot.renew(limbsOf(robot, effectsOf(out.found)), with(robot, effectsOf(out.found)));
   const double threshold = -2 * std::log(thresholds::kMechanicalChance);
   const std::vector<double> before = excessOf(robot, robot.baseline());
+  std::vector<PlacedMechanics> numbers;  // effects that are numbers of the model within their priors
   // Limbs whose residuals are new may be off within their priors.
   const auto renewRows = [&](const std::vector<std::size_t>& limbs) {
+    for (const PlacedMechanics& one : numbers)
+      if (sharesLimb(robot, one, limbs)) moveNumbers(robot, one, with(robot, effectsOf(out.found)));
     closeByNumbers(robot, limbs, with(robot, effectsOf(out.found)), table.open_from);
     out.rows = mechanicsRows(robot, with(robot, effectsOf(out.found)));
     for (BodyRow& row : out.rows) row.open = row.significance > table.open_from;
@@ -109,7 +113,14 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
     one.excess_before = sumOver(limbs, excess);
     const double share = std::max(thresholds::kMechanicsShare * sumOver(limbs, excess),
                                   thresholds::kMechanicsRemainder * sumOver(limbs, before));
-    if (best.evidence < std::max(threshold, share)) break;
+    const double needed = std::max(threshold, share);
+    if (best.evidence < needed) break;
+    if (best.evidence - std::max(0.0, best.gain - priorCost(robot, one.placed)) < needed) {
+      if (std::ranges::any_of(numbers, [&](const auto& number) { return number.sameName(one.placed); })) break;
+      numbers.push_back(std::move(one.placed));
+      renewRows(limbs);
+      continue;
+    }
     one.rivals = rivalsOf(entries);
     const std::vector<FoundMechanics> without = out.found;
     const double unseen = heldOutError(robot, with(robot, effectsOf(without)));

@@ -49,24 +49,39 @@ std::vector<BodyNuisance> nuisancesOf(const BodyCase& given, const Limb& limb) {
       for (const auto role : {twin::ParameterRole::kDryFriction, twin::ParameterRole::kViscousFriction}) {
         const twin::EffectInfo& effect = *twin::effectWith(role);
         const std::vector<double> believed = valuesAt({.servos = bodyBaselineOf(given), .links = {}}, effect, joint);
-        out.push_back({name + " " + std::string{effect.id},
-                       [&effect, joint, sigma](BodyHypothesis& robot, double sigmas) {
-                         scaleFriction(robot, effect, joint, 1 + sigmas * sigma);
-                       },
-                       [&effect, joint, believed](const BodyHypothesis& robot) {
-                         return valuesAt(robot, effect, joint) != believed;
-                       }});
+        out.push_back(
+            {name + " " + std::string{effect.id},
+             [&effect, joint, sigma](BodyHypothesis& robot, double sigmas) {
+               scaleFriction(robot, effect, joint, 1 + sigmas * sigma);
+             },
+             [&effect, joint, believed](const BodyHypothesis& robot) {
+               return valuesAt(robot, effect, joint) != believed;
+             },
+             believed.empty() ? std::string_view{} : effect.id, joint,
+             [believed, sigma](const std::vector<double>& values) { return (values[0] / believed[0] - 1) / sigma; }});
       }
     if (const double sigma = given.sigmaOf("body.mass"); sigma > 0)
-      out.push_back({name + " mass", [joint, mass = link.mass_kg * sigma](BodyHypothesis& robot, double sigmas) {
+      out.push_back({name + " mass",
+                     [joint, mass = link.mass_kg * sigma](BodyHypothesis& robot, double sigmas) {
                        robot.links.push_back({.link = joint, .mass_kg = sigmas * mass});
-                     }});
+                     },
+                     {},
+                     "link_mass",
+                     joint,
+                     [mass = link.mass_kg * sigma](const std::vector<double>& values) { return values[0] / mass; }});
     if (const double sigma = given.sigmaOf("body.com_m"); sigma > 0)
       for (int axis = 0; axis < 3; ++axis)
-        out.push_back({name + " centre of mass", [joint, axis, sigma](BodyHypothesis& robot, double sigmas) {
+        out.push_back({name + " centre of mass",
+                       [joint, axis, sigma](BodyHypothesis& robot, double sigmas) {
                          LinkChange change{.link = joint};
                          change.com_shift_m[axis] = sigmas * sigma;
                          robot.links.push_back(change);
+                       },
+                       {},
+                       "link_com",
+                       joint,
+                       [axis, sigma](const std::vector<double>& values) {
+                         return values[static_cast<std::size_t>(axis)] / sigma;
                        }});
   }
   return out;

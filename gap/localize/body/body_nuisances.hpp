@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gap/plant/body/limb_roll_out.hpp"
@@ -14,6 +15,11 @@ struct BodyNuisance {
   std::function<void(BodyHypothesis&, double sigmas)> move;  // from where the hypothesis has it
   /// An effect of the hypothesis has a number of its own in its place. Empty: never.
   std::function<bool(const BodyHypothesis&)> is_replaced = {};
+  /// The effect of one joint or link that has the same number, and how far its values are from the declared one, in
+  /// prior standard deviations.
+  std::string_view effect = {};
+  Joint at{};
+  std::function<double(const std::vector<double>& values)> sigmas_of = {};
 };
 
 /// By BodyCase::trust; none where the model is exact.

@@ -1,4 +1,5 @@
 // Numbers of a limb within their priors: where they are linearized, and a step towards the most probable ones.
+#include <algorithm>
 #include <cmath>
 
 #include "gap/fit/discrepancy.hpp"
@@ -72,6 +73,16 @@ std::optional<Eigen::VectorXd> LimbResiduals::betterNumbers(const BodyHypothesis
     if (costOf(about, next) < cost) return next;
   }
   return {};
+}
+
+std::unique_ptr<LimbResiduals> LimbResiduals::withNumbersOf(std::string_view effect, const std::vector<Joint>& at,
+                                                            const std::vector<double>& values,
+                                                            const BodyHypothesis& about) const {
+  Eigen::VectorXd numbers = numbers_;
+  for (std::size_t i = 0; i < nuisances_.size(); ++i)
+    if (nuisances_[i].effect == effect && std::ranges::find(at, nuisances_[i].at) != at.end())
+      numbers[static_cast<Eigen::Index>(i)] = nuisances_[i].sigmas_of(values);
+  return this->about(about, std::move(numbers));
 }
 
 }  // namespace darwinop::gap

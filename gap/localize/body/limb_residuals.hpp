@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "gap/localize/body/body_nuisances.hpp"
@@ -38,6 +39,10 @@ class LimbResiduals {
   [[nodiscard]] std::unique_ptr<LimbResiduals> about(const BodyHypothesis& about, Eigen::VectorXd numbers) const {
     return std::make_unique<LimbResiduals>(given_, logs_, limb_, about, std::move(numbers));
   }
+  /// The same samples, with the numbers that such an effect stands for at its values.
+  [[nodiscard]] std::unique_ptr<LimbResiduals> withNumbersOf(std::string_view effect, const std::vector<Joint>& at,
+                                                             const std::vector<double>& values,
+                                                             const BodyHypothesis& about) const;
 
   /// In standard deviations of one sample; a missing sample is 0.
   [[nodiscard]] Eigen::VectorXd scaled(const BodyHypothesis& hypothesis) const;
