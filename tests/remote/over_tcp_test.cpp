@@ -23,11 +23,8 @@ class OverTcp : public Rig {
     std::vector<std::string> command{program("darwinop-remote"), "--robot", robot, "--port", port_};
     command.insert(command.end(), options.begin(), options.end());
     server_ = std::make_unique<Program>(command, file("remote.txt"));
-    const std::string ready = "ready: 127.0.0.1:";
-    EXPECT_TRUE(server_->says(ready, seconds{20})) << server_->output();
-    const std::string said = server_->output();
-    port_ = said.substr(said.find(ready) + ready.size());
-    port_.resize(port_.find('\n'));
+    port_ = server_->restOfLine("ready: 127.0.0.1:", seconds{20});
+    EXPECT_FALSE(port_.empty()) << server_->output();
     return "tcp://127.0.0.1:" + port_;
   }
   /// Output of a controller that ends normally.

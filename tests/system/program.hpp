@@ -50,6 +50,17 @@ class Program {
     }
     return true;
   }
+  /// What follows `text` on its line, once the line is complete; empty when it is not within that time.
+  [[nodiscard]] std::string restOfLine(const std::string& text, std::chrono::seconds at_most) const {
+    const auto end = std::chrono::steady_clock::now() + at_most;
+    for (;;) {
+      const std::string said = output();
+      const std::size_t at = said.find(text), line_end = at == said.npos ? at : said.find('\n', at);
+      if (line_end != said.npos) return said.substr(at + text.size(), line_end - at - text.size());
+      if (std::chrono::steady_clock::now() > end) return {};
+      std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    }
+  }
 
  private:
   static process::Start startOf(const std::vector<std::string>& command, const std::string& output) {
