@@ -207,7 +207,7 @@ TEST_P(EndSignal, EndsTheOtherProgramsNormally) {
     sendAllWithoutEffect(
         one, command[0].ends_with("robot") ? std::initializer_list<int>{SIGUSR1} : std::initializer_list<int>{});
     one.kill(GetParam());
-    EXPECT_EQ(one.wait(seconds{20}), 0) << command[0] << one.output();
+    EXPECT_EQ(one.wait(seconds{60}), 0) << command[0] << one.output();  // a film is first rendered to its end
   }
 }
 
