@@ -16,6 +16,28 @@ gate=(format scripts build docs model asan release i686 install tsan arm-short t
 deep=(lint headers gap gap-sanitized long-model campaign long-install vm vm-aarch64 vm-armhf vm-amd64 n270 arm i686-native fuzz bench)
 more=(fast slow)  # for developers: one label of the debug build
 
+# Whether this kernel runs 32-bit programs: an ELF file that only ends.
+runs_32_bit() {
+  local program status=0
+  program=$(mktemp)
+  printf '\177ELF\1\1\1\0\0\0\0\0\0\0\0\0\2\0\3\0\1\0\0\0\124\200\4\10\64\0\0\0\0\0\0\0\0\0\0\0\64\0\40\0\1\0\0\0\0\0\0\0' >"$program"
+  printf '\1\0\0\0\0\0\0\0\0\200\4\10\0\200\4\10\133\0\0\0\133\0\0\0\5\0\0\0\0\20\0\0\61\300\100\61\333\315\200' >>"$program"
+  chmod +x "$program"
+  env "$program" 2>/dev/null || status=$?
+  rm "$program"
+  return "$status"
+}
+# The robot's own programs cannot be tested here, and the gate says so: `./dev test i686 install` elsewhere.
+not_run=()
+without_32_bit() {
+  local stage kept=()
+  for stage in "${gate[@]}"; do
+    case $stage in i686 | install) not_run+=("$stage") ;; *) kept+=("$stage") ;; esac
+  done
+  gate=("${kept[@]}")
+  say "NOT RUN: ${not_run[*]}: this kernel runs no 32-bit programs (boot it with ia32_emulation=on)"
+}
+
 has_stage() { [[ " ${gate[*]} ${deep[*]} ${more[*]} " == *" $1 "* ]]; }
 
 if [ "${1:-}" = --list ]; then
@@ -28,7 +50,10 @@ if [ "${1:-}" = deep ]; then
   shift
   [ $# != 0 ] || set -- "${deep[@]}"
 fi
-[ $# != 0 ] || set -- "${gate[@]}"
+if [ $# = 0 ]; then
+  runs_32_bit || without_32_bit
+  set -- "${gate[@]}"
+fi
 groups=(build test robot)
 for stage in "$@"; do
   has_stage "$stage" || die "no stage '$stage'. Gate: ${gate[*]}. Deep: ${deep[*]}. Debug build: ${more[*]}"
@@ -80,4 +105,5 @@ done
 report "$@" builds
 cat build/*.summary 2>/dev/null || :
 [ ${#failed[@]} = 0 ] || die "FAILED: ${failed[*]}. To repeat: ./dev test ${keep_going:+deep }${failed[0]}"
+[ ${#not_run[@]} = 0 ] || say "NOT RUN: ${not_run[*]}: this kernel runs no 32-bit programs"
 say "all stages passed"
