@@ -54,8 +54,9 @@ nlohmann::ordered_json asJson(const BodyTable& table);
 // Parts of localize().
 std::vector<BodyRow> jointRows(const BodyCase& given);
 std::vector<BodyRow> imuRows(const BodyCase& given, const RestingImu& imu);
-/// A row for each joint, limb by limb; none where the robot cannot be tested.
+/// A row for each joint of the limb.
 std::vector<BodyRow> limbRows(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& hypothesis);
+/// The same, limb by limb; none where the robot cannot be tested.
 std::vector<BodyRow> mechanicsRows(const ClampedRobot& robot, const BodyHypothesis& hypothesis);
 
 }  // namespace darwinop::gap
