@@ -45,6 +45,18 @@ gate || wrong 'stages that pass fail'
 row docs 'ok, in the background'
 row tsan ok
 
+# Where no 32-bit program runs, what needs one is left out, and the gate says so; where they run, nothing is.
+mkdir fake
+printf '#!/bin/sh\nexit 126\n' >fake/env
+chmod +x fake/env
+PATH=$tree/fake:$PATH gate || wrong 'it fails for want of 32-bit programs'
+grep -q 'NOT RUN: i686 install' out || wrong 'it does not say what was not run'
+! grep -q '^i686 ' out || wrong 'i686 ran'
+printf '#!/bin/sh\n' >fake/env
+PATH=$tree/fake:$PATH gate || wrong 'stages that pass fail'
+row i686 ok
+row install ok
+
 # A failure in the background fails the gate, and its output is shown.
 stage tidy 'computes only' 'echo name-is-wrong; exit 3'
 ! gate || wrong 'a stage that fails in the background is not noticed'
