@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 
 #include "core/sensors.hpp"
@@ -18,6 +19,11 @@ class BoardWatch {
 
   /// Once a cycle. `waits`: the robot waits for a person; only then does START count.
   void update(const Sensors& seen, bool waits, Nanos dt) noexcept;
+
+  /// Goals go out to these joints.
+  void noteGoals(const std::bitset<kJoints>& driven) noexcept {
+    if (absent_) supply_.noteGoals(driven);
+  }
 
   /// There is no board: the functions below that name it are about the servo that is read first.
   [[nodiscard]] bool absent() const noexcept { return absent_; }

@@ -28,11 +28,17 @@ void SupplyWatch::update(const Sensors& seen, Nanos dt) noexcept {
   if (polled_now_) measureVoltage(seen);
 }
 
-/// A starting servo has no speed limit, and none is ever written. It boots for 0.2 s, so it has missed replies: a
-/// single damaged reading is not a restart.
+/// A reply that was missed before shows nothing about what is written now.
+void SupplyWatch::noteGoals(const std::bitset<kJoints>& driven) noexcept {
+  missed_ &= ~driven | limited_;
+  limited_ |= driven;
+}
+
+/// A starting servo has neither torque nor a speed limit, and no goal without one is ever written. It boots for 0.2 s,
+/// so it has missed replies: a single damaged reading is not a restart.
 void SupplyWatch::notePoll(std::size_t joint, const JointSensors& seen) noexcept {
   polled_now_ = true;
-  if (seen.speed_limit.value > 0) {
+  if (seen.speed_limit.value > 0 || seen.torque_enabled) {
     limited_.set(joint);
     missed_.reset(joint);
   } else if (limited_[joint] && missed_[joint]) {

@@ -18,6 +18,9 @@ class SupplyWatch {
   /// Once in each cycle in which the bus answers or is missed.
   void update(const Sensors& seen, Nanos dt) noexcept;
 
+  /// Goals go out to these joints, and with each a speed limit: it need not have been seen.
+  void noteGoals(const std::bitset<kJoints>& driven) noexcept;
+
   /// True in a cycle in which at least half of the servos that had a speed limit are known to have restarted within
   /// kTogether. Fewer are a matter of their joints (JointGuard): a connector of one limb is loose.
   [[nodiscard]] bool interruptedNow() const noexcept { return interrupted_now_; }
@@ -37,7 +40,7 @@ class SupplyWatch {
   void notePoll(std::size_t joint, const JointSensors& seen) noexcept;
   void measureVoltage(const Sensors& seen) noexcept;
 
-  Joints limited_;    // had a speed limit in the last poll: a loop has written one since the servo started
+  Joints limited_;    // have a speed limit or torque: neither comes by itself after a start
   Joints missed_;     // of these, those that missed a reply since
   Joints restarted_;  // within kTogether
   Nanos since_restart_{0};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bitset>
 #include <cmath>
 #include <initializer_list>
 
@@ -77,6 +78,38 @@ TEST_F(Servos, ThatNoLoopHasDrivenDoNotCount) {
   }
 }
 
+TEST_F(Servos, ThatRestartRightAfterTheirFirstGoalCount) {
+  SupplyWatch fresh{false};
+  const auto cycle = [&](bool reply) {
+    for (JointSensors& joint : seen.joint) joint.motion = joint.polled = Freshness{reply ? 0U : 1U};
+    fresh.update(seen, kCycle);
+  };
+  for (JointSensors& joint : seen.joint) joint.speed_limit = RadPerSec{0};
+  cycle(false);
+  cycle(true);
+  fresh.noteGoals(std::bitset<kJoints>{}.set());
+  cycle(true);
+  EXPECT_FALSE(fresh.interruptedNow()) << "the goal was lost; the reply was missed before it";
+  cycle(false);
+  cycle(true);
+  EXPECT_TRUE(fresh.interruptedNow());
+}
+
+TEST_F(Servos, ThatHadTorqueWithoutASpeedLimitCount) {
+  SupplyWatch fresh{false};
+  for (const bool torque : {true, false}) {
+    for (JointSensors& joint : seen.joint) {
+      joint.speed_limit = RadPerSec{0};
+      joint.torque_enabled = torque;
+      joint.motion = joint.polled = Freshness{torque ? 0U : 1U};
+    }
+    fresh.update(seen, kCycle);
+  }
+  for (JointSensors& joint : seen.joint) joint.motion = joint.polled = Freshness{0};
+  fresh.update(seen, kCycle);
+  EXPECT_TRUE(fresh.interruptedNow());
+}
+
 TEST_F(Servos, OfAnEarlierLoopThatHeldThemCountAtOnce) {
   SupplyWatch next{true};
   for (JointSensors& joint : seen.joint) joint.speed_limit = RadPerSec{0};
@@ -126,6 +159,23 @@ TEST_F(GuardWithoutBoard, ASessionWaitsAfterAnOutageUntilTheServosWerePolled) {
   }
   for (FakeServo& servo : rig.robot.servo) servo.polled = true;
   EXPECT_TRUE(rig.reach(State::kDriven));
+}
+
+/// The goal that is placed switches torque on, and the poll that would have shown its speed limit shows a restart.
+TEST_F(GuardWithoutBoard, ASupplyThatIsCutRightAfterTheFirstGoalReleasesTheRobot) {
+  rig.robot.goal_write_switches_on = true;
+  for (FakeServo& servo : rig.robot.servo) servo.restarted = true;  // just supplied
+  ASSERT_TRUE(rig.reach(State::kLimp));
+  rig.newSession();
+  for (FakeServo& servo : rig.robot.servo) servo.polled = false;
+  ASSERT_GE(rig.runUntil([&] { return rig.robot.servo[0].torque; }), 0);
+  rig.robot.servo_power = false;
+  for (FakeServo& servo : rig.robot.servo) servo.polled = servo.restarted = true;
+  rig.run(12);  // a servo boots for 0.2 s
+  rig.robot.servo_power = true;
+  rig.runFor(2);
+  EXPECT_TRUE(rig.active(Fault::kBoardReset));
+  for (const FakeServo& servo : rig.robot.servo) ASSERT_FALSE(servo.torque);
 }
 
 TEST_F(GuardWithoutBoard, IsDrivenAndKneelsAtTheEndAsWithOne) {
