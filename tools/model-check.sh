@@ -13,7 +13,7 @@ compiler=${CC:-gcc}
 # writes and outages of up to MAXMISS cycles, a controller only. `way_out`, `release`: from every state of `processes` the
 # robot drives again, or becomes limp, when nothing breaks any more and a person acts (docs/faults.md); they visit what
 # `processes` visits, and check the same assertions. `charge`: charge, heat, encoder and falls change in any cycle; they
-# double the transitions, so the others go without. `fall`: with [Safety] on_fall = limp.
+# double the transitions, so the others go without. `fall`: with [Safety] on_fall = limp. `alone`: servos without a board.
 configurations() {
   cat <<'END'
 processes deep -DNO_WIRE
@@ -32,6 +32,11 @@ wire_boot deep -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=7
 wire_way_out deep -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=7 -DMAXBOOT=1 -DWAY_OUT=1
 people_wire deep -DFIXED_PROCESSES -DMAXMISS=6 -DMAXBOOT=1
 everything deep -DMAXMISS=7
+alone gate -DNO_BOARD -DNO_WIRE -DFIXED_PROCESSES
+alone_processes deep -DNO_BOARD -DNO_WIRE
+alone_wire deep -DNO_BOARD -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=6 -DMAXBOOT=1
+alone_way_out deep -DNO_BOARD -DNO_WIRE -DWAY_OUT=1
+alone_release deep -DNO_BOARD -DNO_WIRE -DWAY_OUT=2
 END
 }
 

@@ -2,7 +2,9 @@
 
 /* People and processes: at most one acts in a cycle. */
 /* A release is noted in a file within a few cycles; a process that dies before is not considered. */
-#define NOTED (!released || remembered || by_reset)
+#define NOTED (!released || remembered || (BOARD && by_reset))
+/* Servos alone: after their supply was cut under torque nothing else breaks until that is noted or a person acts. */
+#define UNNOTICED (!BOARD && released && by_reset && !remembered)
 #define START_COUNTS (withheld || (fact && !DRIVES(state)))  /* BoardWatch::update; fact: a latched fault is active */
 #define FREE (!session || ended || silence == 2)
 inline choose_who_acts() {
@@ -13,8 +15,8 @@ inline choose_who_acts() {
      if
      :: skip
 #ifndef NO_PEOPLE
-     :: process != DOWN -> act = A_MODE
-     :: process == RUNNING && START_COUNTS -> act = A_START
+     :: BOARD && process != DOWN -> act = A_MODE
+     :: BOARD && process == RUNNING && START_COUNTS -> act = A_START
      :: process == RUNNING -> act = A_RESET
      :: process == RUNNING -> act = A_RELEASE
 #endif
@@ -45,7 +47,7 @@ inline the_way_out() {
 #else
   :: process == RUNNING && FREE -> act = A_COMES; if :: in_place_now = 0 :: in_place_now = 1 fi
   :: process == RUNNING && !FREE && silence == 1 -> act = A_GOES_ON
-  :: process == RUNNING && START_COUNTS -> act = A_START
+  :: process == RUNNING && START_COUNTS -> act = (BOARD -> A_START : A_RESET)
   :: process == RUNNING && !FREE && silence == 0 && !START_COUNTS -> skip
 #endif
   fi
@@ -75,8 +77,9 @@ inline choose_what_breaks() {
   broken = B_NOTHING;
   if
   :: skip
-  :: !calm && board_power -> broken = B_RESET
-  :: !calm && board_power && boot == 0 -> broken = B_RAIL;
+  :: BOARD && !calm && board_power -> broken = B_RESET
+  :: !BOARD && !UNNOTICED && !calm && boot == 0 -> broken = B_RESET; if :: boot_now = 1 :: boot_now = SUPPLY_BOOT fi
+  :: !calm && !UNNOTICED && board_power && boot == 0 -> broken = B_RAIL;
      if :: boot_now = 0 :: boot_now = 1 :: boot_now = MAXBOOT fi  /* 0: it is back before it is asked */
   :: !calm && (s_on || phase == PLACED || phase == MOVING) -> broken = B_OVERLOAD
   :: !calm && up && (possible & 1) -> broken = B_EMPTY
@@ -89,17 +92,25 @@ inline choose_what_breaks() {
   if :: broken == B_RESET || broken == B_RAIL || broken == B_OVERLOAD -> if :: before_write = 0 :: before_write = 1 fi :: else -> skip fi
 }
 
+/* A servo starts with its goal where it is; a joint that was held falls from there. */
+inline restart_servo() {
+  kept = !s_on; servo_off(); s_shut = 0; s_reset = 1; s_placed = 0;
+  s_goal_right = kept;
+  boot = boot_now
+}
+
 inline something_breaks() {
   if
   :: broken == B_RESET ->                                             /* RESET, or the supply dipped */
      /* Under torque it is a person's release. Before a loop has had its first answer it is one only if an earlier loop
-        has noted that it held joints: without both a board without servo power is a board that was just switched on. */
-     if :: s_on && (ever || held) && !released -> released = 1; by_reset = 1 :: else -> skip fi;
-     board_power = 0; servo_off()
-  :: broken == B_RAIL && boot == 0 ->                                 /* the rail or the chain dipped */
-     kept = !s_on; servo_off(); s_shut = 0; s_reset = 1; s_placed = 0;
-     s_goal_right = kept;  /* a servo starts with its goal where it is; a joint that was held falls from there */
-     boot = boot_now
+        has noted that it held joints: without both a board without servo power is a board that was just switched on.
+        Servos alone: before the first look. */
+     if :: s_on && ((BOARD && ever) || polled || held) && !released -> released = 1; by_reset = 1 :: else -> skip fi;
+     if
+     :: BOARD -> board_power = 0; servo_off()
+     :: else -> restart_servo(); by_supply = 1; quiet = boot_now; up = 0
+     fi
+  :: broken == B_RAIL && boot == 0 -> restart_servo()                 /* the rail or the chain dipped */
   :: broken == B_OVERLOAD && s_on -> servo_off(); s_shut = 1          /* it shuts itself off */
   :: else -> skip
   fi

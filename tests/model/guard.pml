@@ -35,6 +35,7 @@ inline observe() {
   /* noteRestart */
   restart = looked && (reset_seen || (!stiff && !shut_seen && (uncertain || !on_seen) && phase == MOVING));
   if :: looked && stiff -> on_seen = 1 :: else -> skip fi;
+  if :: looked && !BOARD -> polled = 1 :: else -> skip fi;
   if :: looked && uncertain && had_limit && reset_seen && stiff -> off_due = 1 :: else -> skip fi;
   if :: looked -> had_limit = !reset_seen :: else -> skip fi;
   uncertain = !looked && (uncertain || !fresh);
@@ -85,6 +86,16 @@ inline observe() {
   fi
 }
 
+/* SupplyWatch: a restart of this joint alone is a matter of its guard. */
+inline watch_supply() {
+  if
+  :: !fresh -> missed_since = 1
+  :: fresh && looked && (stiff || !reset_seen) -> limited = 1; missed_since = 0
+  :: fresh && looked && !stiff && reset_seen && limited && missed_since -> limited = 0; lost_now = by_supply
+  :: else -> skip
+  fi
+}
+
 /* Guard::watch */
 inline watch() {
   /* BoardWatch */
@@ -92,9 +103,10 @@ inline watch() {
   if :: !ever || missed > PATIENCE -> powered = 0; off_once = 0; off_seen = 0 :: else -> skip fi;
   lost_now = 0;
   if
-  :: up && bit_seen -> off_once = 0; off_seen = 0; powered = 1; had_power = 1; lost = 0
-  :: up && !bit_seen && !off_once -> off_once = 1
-  :: up && !bit_seen && off_once ->
+  :: !BOARD -> powered = ever && missed <= PATIENCE; watch_supply()
+  :: BOARD && up && bit_seen -> off_once = 0; off_seen = 0; powered = 1; had_power = 1; lost = 0
+  :: BOARD && up && !bit_seen && !off_once -> off_once = 1
+  :: BOARD && up && !bit_seen && off_once ->
      powered = 0; off_seen = 1;
      if
      :: had_power && !lost -> lost = 1; lost_now = 1;
@@ -105,8 +117,12 @@ inline watch() {
   fi;
   observe();
   under_torque = lost_now && (DRIVES(state) || state == ST_found_stiff || holding_up || perhaps_held);
-  if :: off_seen || (powered && ((known && !stiff) || age > PATIENCE)) -> perhaps_held = 0 :: else -> skip fi;
-  if :: lost -> holding_up = 0; stiff = 0; known = 0 :: else -> skip fi
+  if
+  :: off_seen || (powered && ((known && !stiff) || (age > PATIENCE && (BOARD || state != ST_offline)))) -> perhaps_held = 0
+  :: else -> skip
+  fi;
+  if :: lost -> holding_up = 0; stiff = 0; known = 0 :: else -> skip fi;
+  if :: !BOARD && !powered -> stiff = 0; known = 0 :: else -> skip fi  /* only looks show who has torque now */
 }
 
 inline note_faults() {
@@ -158,11 +174,15 @@ inline find_event() {
   :: offline_now -> if :: state != ST_offline -> ev = EV_board_lost :: else -> skip fi
   :: !offline_now && state == ST_offline ->
      if
-     :: !up -> skip
-     :: up && (stiff || holding_up) -> ev = EV_stiff_seen
-     :: up && !(stiff || holding_up) && (!powered || known || age > PATIENCE || looking > LOOK || (session && !ended)) ->
-        ev = EV_board_found
-     :: else -> if :: looking <= LOOK -> looking++ :: else -> skip fi
+     :: !up -> if :: !BOARD -> looking = 0 :: else -> skip fi
+     :: up && !BOARD && !known && looking <= ROUNDS -> looking++
+     :: up && (BOARD || known || looking > ROUNDS) ->
+        if
+        :: stiff || holding_up -> ev = EV_stiff_seen
+        :: !(stiff || holding_up) && (!powered || known || age > PATIENCE || looking > LOOK || (session && !ended)) ->
+           ev = EV_board_found
+        :: else -> if :: looking <= LOOK -> looking++ :: else -> skip fi
+        fi
      fi
   :: else ->
      if
@@ -239,5 +259,10 @@ inline compose() {
      fi;
      write_goal = received && (phase == PLACED || phase == MOVING) && !suspected && !uncertain
   fi;
-  if :: (phase == PLACED || phase == MOVING) && !suspected -> holding_up = 1 :: else -> skip fi
+  if
+  :: (phase == PLACED || phase == MOVING) && !suspected ->
+     holding_up = 1;
+     if :: !BOARD && !limited -> limited = 1; missed_since = 0 :: else -> skip fi  /* SupplyWatch::noteGoals */
+  :: else -> skip
+  fi
 }

@@ -9,6 +9,9 @@
    a slow move, stall and silence of a controller come at any cycle. Wire: one write in WIRE_GAP may be lost, or an outage
    of up to 7 cycles; faults of the wire are at least WIRE_GAP cycles apart.
 
+   Servos alone (NO_BOARD): nothing switches their supply, which a person or a dip interrupts for at least one answer; all
+   restart together, and are polled in the same cycle.
+
    Checked: the assertions below, named A1 to A7; with WAY_OUT also that every state has a way out (at the end). */
 #include "tables.pml"
 
@@ -26,6 +29,15 @@
 #define REACTION(i) ((i) == FA_fell ? ON_FALL : reaction_table[i])
 #else
 #define REACTION(i) reaction_table[i]
+#endif
+#ifdef NO_BOARD  /* [Robot] board = none */
+#define BOARD 0
+#define ROUNDS (MAXBOOT + LOOK)     /* two polling rounds, 0.8 s: a servo boots in less */
+#define SUPPLY_BOOT (PATIENCE + 1)  /* a servo boots for longer than the bus may be silent */
+#else
+#define BOARD 1
+#define ROUNDS 0
+#define SUPPLY_BOOT 0
 #endif
 #ifndef MAXMISS
 #define MAXMISS  7
@@ -121,6 +133,7 @@ bit ever;                    /* the board has answered */
 bit powered, had_power, lost, off_once, withheld;
 byte losses;
 byte looking;
+bit limited, missed_since;   /* SupplyWatch: it had a speed limit when it was looked at; it has missed an answer since */
 
 /* -- guard, the joint -- */
 byte phase = OUT, conf, age;
@@ -136,6 +149,7 @@ bit bit_once, off_look, was_on, early, armed; /* TripWatch: its memory; a reset 
 bit goal_right;              /* the guard's goal is where the joint is */
 bit ref_right;               /* its newest reading was taken after the joint lost torque */
 bit released;                /* a person released the robot, and no person has acted since */
+bit polled;                  /* this loop has looked at the servo */
 bit by_reset;                /* with RESET, which the board remembers by its servo power */
 byte off_for = 4;            /* cycles without torque */
 byte limp_for;               /* cycles in which the guard says limp and the servo answers */
@@ -146,6 +160,8 @@ bit board_power, reset_seen, shut_seen, placed_seen, up, fresh, bit_seen, looked
 bit off_seen;                /* two answers in a row say that servo power is off */
 bit s_on, s_goal_right, s_shut, kept;
 bit s_reset;                 /* restarted, its settings are those of power-up */
+bit by_supply;               /* all servos have restarted since their settings were written */
+byte quiet;                  /* cycles in which none replies, as all boot */
 bit lies;                    /* the robot has fallen */
 bit s_placed;                /* it has the goal that was placed last */
 byte boot;
@@ -192,6 +208,8 @@ inline forget_guard() {
   state = ST_offline; faults = 0; session = 0; ended = 0; started = 0; in_place = 0; holding_up = 0; silence = 0;
   missed = 0; ever = 0; powered = 0; lost = 0; off_once = 0; off_seen = 0; withheld = 0; losses = 0; looking = 0;
   had_power = held; perhaps_held = 1;  /* Config::held_before */
+  polled = 0;
+  limited = !BOARD && held; missed_since = !BOARD && held;
   phase = OUT; has_goal = 0; on_seen = 0; had_limit = 0; shut_at_once = 0; conf = 0; age = PATIENCE + 1; uncertain = 0; tripped = 0; off_due = 0; off_ordered = 0;
   suspected = 0; bit_once = 0; off_look = 0; was_on = 0; early = 0; armed = 0;
   if :: remembered -> faults = 1 << FA_released_by_operator :: else -> skip fi;  /* the daemon says so in its first word */
@@ -202,7 +220,7 @@ inline forget_guard() {
 #include "guard.pml"
 
 inline deliver() {
-  up = wire == W_FINE || wire == W_WRITE_LOST || wire == W_WRONG_BIT;
+  up = quiet == 0 && (wire == W_FINE || wire == W_WRITE_LOST || wire == W_WRONG_BIT);
   delivered = wire == W_FINE || wire == W_REPLY_LOST || wire == W_WRONG_BIT;
   if :: wire != W_FINE -> since_wire = 0 :: wire == W_FINE && since_wire < WIRE_GAP -> since_wire++ :: else -> skip fi;
   /* what it does */
@@ -214,14 +232,14 @@ inline deliver() {
   if
   :: delivered && board_power && boot == 0 ->
      if :: write_off -> servo_off() :: else -> skip fi;
-     if :: write_on -> s_shut = 0; s_reset = 0; servo_on() :: else -> skip fi;
+     if :: write_on -> s_shut = 0; s_reset = 0; by_supply = 0; servo_on() :: else -> skip fi;
      if
      :: write_goal ->
         /* The goal of a joint that is seen to have torque moves on: away from one that has none. */
         s_goal_right = goal_right && (s_on || phase == PLACED || !on_seen);
         /* The first writes of a goal carry all settings, as do those in which another joint enters: a torque limit
            that is not 0 arms a servo again that has shut itself off. */
-        if :: phase == PLACED || rearm -> s_reset = 0; s_shut = 0 :: else -> skip fi;
+        if :: phase == PLACED || rearm -> s_reset = 0; by_supply = 0; s_shut = 0 :: else -> skip fi;
         if :: phase == PLACED -> s_placed = 1 :: else -> skip fi;
         if :: !s_shut -> servo_on() :: else -> skip fi   /* a goal write enables torque */
      :: else -> skip
@@ -250,6 +268,7 @@ inline answer() {
   fi;
   kept = 0;
   if :: boot > 0 -> boot-- :: else -> skip fi;
+  if :: quiet > 0 -> quiet-- :: else -> skip fi;
   if :: !s_on && off_for < 4 -> off_for++ :: else -> skip fi
 }
 
@@ -292,7 +311,11 @@ inline forget_the_dead() {
 
 active proctype robot() {
   forget_guard();
-  if :: board_power = 0 :: board_power = 1; if :: s_on = 1; s_goal_right = 1 :: skip fi fi;  /* found limp or stiff */
+  if
+  :: BOARD -> board_power = 0
+  :: board_power = 1; if :: s_on = 1; s_goal_right = 1 :: skip fi  /* found limp or stiff */
+  :: !BOARD -> board_power = 1; s_reset = 1; by_supply = 1; s_goal_right = 1  /* just supplied */
+  fi;
   do
   :: atomic {
 #ifdef WAY_OUT
@@ -305,9 +328,9 @@ active proctype robot() {
        choose_who_acts();
        choose_what_breaks();
        choose_wire();
-       /* A kneel takes a second at least: lost power is noticed before it ends. */
+       /* A kneel takes a second at least: lost power, and what a look shows, is noticed before it ends. */
        if
-       :: !calm && (state == ST_starting || (state == ST_kneeling && (board_power || lost))) -> if :: arrived = 0 :: arrived = 1 fi
+       :: !calm && (state == ST_starting || (state == ST_kneeling && (board_power || lost) && (BOARD || (fresh && !uncertain)))) -> if :: arrived = 0 :: arrived = 1 fi
        :: else -> arrived = calm
        fi;
        /* Only where a fault is or may come that ends the controller. */
