@@ -41,6 +41,7 @@ struct BodyState {
   std::array<double, 3> gyro_rad_s{};                // x, y, z
   std::array<double, 3> accel_m_s2{0, 0, kGravity};  // x, y, z; upright and at rest
   std::uint8_t buttons = 0;                          // 1 MODE, 2 START
+  double battery_drop_v = 0;                         // by what all servos draw; the board's voltage is less by it
   // World: x forward, y left, z up at the start. NaN: plain joints have no trunk.
   std::array<double, 3> trunk_m{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
                                 std::numeric_limits<double>::quiet_NaN()};

@@ -113,7 +113,7 @@ void VirtualBoard::measure(BusDevice& device) noexcept {
   BodyState state = body_.state();
   if (acceleration_) state.accel_m_s2 = *acceleration_;
   state.buttons |= buttons_;
-  device_.measure(state, rail_v_);
+  device_.measure(state, rail_v_ - state.battery_drop_v);
 }
 
 void VirtualBoard::addReply(const BusDevice& device, const BusDevice::Answer& answer) noexcept {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "twin/body/ground.hpp"
 #include "twin/body/mujoco_guard.hpp"
 #include "twin/body/placing.hpp"
 
@@ -36,6 +37,7 @@ std::optional<ClampedUp> clampFromEnvironment() {
 }
 
 void clampTrunk(mjModel& m, const BodyMap& map) {
+  if (m.opt.gravity[0] != 0 || m.opt.gravity[1] != 0) levelFloor(m);  // a slope of the floor
   // Armature, not mass: it has no weight. The solver ends when its cost falls below a share of the mean inertia; with
   // the trunk's in it, friction would end early and resting joints would creep by 5 mrad.
   const mjtNum mean_inertia = m.stat.meaninertia;

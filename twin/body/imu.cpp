@@ -30,11 +30,19 @@ double distorted(double value, double scale, double bias, double noise, double r
 }  // namespace
 
 Imu::Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed)
-    : settings_{settings}, seed_{seed}, qpos_{map.trunk_qpos}, dof_{map.trunk_dof} {
+    : settings_{settings},
+      seed_{seed},
+      qpos_{map.trunk_qpos},
+      dof_{map.trunk_dof},
+      gyro_lag_{m.opt.timestep, settings.gyro_lowpass_s, settings.delay_s},
+      accel_lag_{m.opt.timestep, 0, settings.delay_s} {
   mju_copy3(site_, m.site_pos + 3 * map.accelerometer);
   mju_negQuat(gyro_axes_, mountedAt(m.site_quat + 4 * map.gyro, settings).data());
   mju_negQuat(accel_axes_, mountedAt(m.site_quat + 4 * map.accelerometer, settings).data());
-  for (std::size_t i = 0; i < 3; ++i) read_[i] = readAxis(settings.accel_axes[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    gyro_read_[i] = readAxis(settings.gyro_axes[i]);
+    accel_read_[i] = readAxis(settings.accel_axes[i]);
+  }
 }
 
 void Imu::siteVelocity(const mjData& d, mjtNum* velocity) const noexcept {
@@ -44,9 +52,11 @@ void Imu::siteVelocity(const mjData& d, mjtNum* velocity) const noexcept {
   mju_addTo3(velocity, d.qvel + dof_);
 }
 
-void Imu::reset(const mjData& d) noexcept {
+void Imu::reset(const mjModel& m, const mjData& d) noexcept {
   siteVelocity(d, velocity_);
   mju_zero3(acceleration_);
+  gyro_lag_.fill(trueRate(d));
+  accel_lag_.fill(trueAcceleration(m, d));
 }
 
 void Imu::update(const mjModel& m, const mjData& d) noexcept {
@@ -55,31 +65,44 @@ void Imu::update(const mjModel& m, const mjData& d) noexcept {
   mju_sub3(acceleration_, now, velocity_);
   mju_scl3(acceleration_, acceleration_, 1 / m.opt.timestep);
   mju_copy3(velocity_, now);
+  if (gyro_lag_.acts()) gyro_lag_.next(trueRate(d));
+  if (accel_lag_.acts()) accel_lag_.next(trueAcceleration(m, d));
+}
+
+Imu::Axes Imu::trueRate(const mjData& d) const noexcept {
+  Axes sensed{};
+  mju_rotVecQuat(sensed.data(), d.qvel + dof_ + 3, gyro_axes_);
+  return sensed;
+}
+
+Imu::Axes Imu::trueAcceleration(const mjModel& m, const mjData& d) const noexcept {
+  mjtNum world[3], upright[4], trunk[3];
+  mju_sub3(world, acceleration_, m.opt.gravity);
+  mju_negQuat(upright, d.qpos + qpos_ + 3);
+  mju_rotVecQuat(trunk, world, upright);
+  Axes sensed{};
+  mju_rotVecQuat(sensed.data(), trunk, accel_axes_);
+  return sensed;
 }
 
 Imu::Axes Imu::gyro(const mjData& d, std::uint64_t sample) const noexcept {
-  mjtNum sensed[3];
-  mju_rotVecQuat(sensed, d.qvel + dof_ + 3, gyro_axes_);
+  const Axes sensed = gyro_lag_.acts() ? gyro_lag_.now() : trueRate(d);
   Axes out{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double noise = settings_.gyro_noise_rad_s > 0 ? settings_.gyro_noise_rad_s * normal(seed_, sample, i) : 0;
-    out[i] =
-        distorted(sensed[i], settings_.gyro_scale[i], settings_.gyro_bias_rad_s[i], noise, settings_.gyro_range_rad_s);
+    out[i] = distorted(gyro_read_[i].sign * sensed[gyro_read_[i].index], settings_.gyro_scale[i],
+                       settings_.gyro_bias_rad_s[i], noise, settings_.gyro_range_rad_s);
   }
   return out;
 }
 
 Imu::Axes Imu::accelerometer(const mjModel& m, const mjData& d, std::uint64_t sample) const noexcept {
-  mjtNum world[3], upright[4], trunk[3], sensed[3];
-  mju_sub3(world, acceleration_, m.opt.gravity);
-  mju_negQuat(upright, d.qpos + qpos_ + 3);
-  mju_rotVecQuat(trunk, world, upright);
-  mju_rotVecQuat(sensed, trunk, accel_axes_);
+  const Axes sensed = accel_lag_.acts() ? accel_lag_.now() : trueAcceleration(m, d);
   Axes out{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double noise = settings_.accel_noise_m_s2 > 0 ? settings_.accel_noise_m_s2 * normal(seed_, sample, 4 + i) : 0;
-    out[i] = distorted(read_[i].sign * sensed[read_[i].index], settings_.accel_scale[i], settings_.accel_bias_m_s2[i],
-                       noise, settings_.accel_range_m_s2);
+    out[i] = distorted(accel_read_[i].sign * sensed[accel_read_[i].index], settings_.accel_scale[i],
+                       settings_.accel_bias_m_s2[i], noise, settings_.accel_range_m_s2);
   }
   return out;
 }

@@ -1,4 +1,5 @@
-// Gyroscope and accelerometer of the board: ideal signals at their sites in the trunk, with scale, bias, noise, range.
+// Gyroscope and accelerometer of the board: ideal signals at their sites in the trunk, with filter, delay, axes, scale,
+// bias, noise, range.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -8,6 +9,7 @@
 
 #include "twin/body/imu_axes.hpp"
 #include "twin/body/mujoco_model.hpp"
+#include "twin/body/sensor_lag.hpp"
 
 namespace darwinop::twin {
 
@@ -18,7 +20,7 @@ class Imu {
   Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed);
 
   /// After the trunk was placed: the jump must not appear as an acceleration.
-  void reset(const mjData& d) noexcept;
+  void reset(const mjModel& m, const mjData& d) noexcept;
   /// After every physics step: the sensors measure the mean over the step.
   void update(const mjModel& m, const mjData& d) noexcept;
 
@@ -28,14 +30,17 @@ class Imu {
   [[nodiscard]] Axes accelerometer(const mjModel& m, const mjData& d, std::uint64_t sample) const noexcept;
 
  private:
+  [[nodiscard]] Axes trueRate(const mjData& d) const noexcept;
+  [[nodiscard]] Axes trueAcceleration(const mjModel& m, const mjData& d) const noexcept;
   void siteVelocity(const mjData& d, mjtNum* velocity) const noexcept;
 
   ImuSettings settings_;
   std::uint64_t seed_;
   int qpos_, dof_;
-  mjtNum site_[3];                                  // accelerometer, in the trunk frame
-  mjtNum gyro_axes_[4], accel_axes_[4];             // rotate trunk vectors into sensor axes
-  std::array<ReadAxis, 3> read_{};                  // accelerometer: true axes that are read as x, y, z
+  mjtNum site_[3];                                      // accelerometer, in the trunk frame
+  mjtNum gyro_axes_[4], accel_axes_[4];                 // rotate trunk vectors into sensor axes
+  std::array<ReadAxis, 3> gyro_read_{}, accel_read_{};  // true axes that are read as x, y, z
+  SensorLag gyro_lag_, accel_lag_;
   mjtNum velocity_[3] = {}, acceleration_[3] = {};  // of the site, in the world frame
 };
 

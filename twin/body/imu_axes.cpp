@@ -10,13 +10,16 @@
 namespace darwinop::twin {
 namespace {
 
-MountingMatrix mountingOf(const mjModel& m, int site, const ImuSettings& settings) {
+/// As it is read: `axes` of the settings.
+MountingMatrix mountingOf(const mjModel& m, int site, const ImuSettings& settings, const std::array<double, 3>& axes) {
   const MountingQuaternion mounted = mountedAt(m.site_quat + 4 * site, settings);
   mjtNum columns[9];  // row-major, its columns are the sensor's axes
   mju_quat2Mat(columns, mounted.data());
   MountingMatrix rows{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (std::size_t k = 0; k < 3; ++k) rows[axis][k] = columns[3 * k + axis];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const ReadAxis read = readAxis(axes[axis]);
+    for (std::size_t k = 0; k < 3; ++k) rows[axis][k] = read.sign * columns[3 * k + read.index];
+  }
   return rows;
 }
 
@@ -39,14 +42,8 @@ ReadAxis readAxis(double axis) noexcept {
 ImuAxes imuAxesOf(const Model& model) {
   const MjModelPtr body = loadBody(model, /*ball=*/false);
   const BodyMap map = mapBody(*body, model.body.xml);
-  const MountingMatrix sensor = mountingOf(*body, map.accelerometer, model.imu);
-  MountingMatrix accelerometer{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const ReadAxis read = readAxis(model.imu.accel_axes[i]);
-    for (std::size_t k = 0; k < 3; ++k) accelerometer[i][k] = read.sign * sensor[read.index][k];
-  }
-  return {.gyro = mountingOf(*body, map.gyro, model.imu),
-          .accelerometer = accelerometer,
+  return {.gyro = mountingOf(*body, map.gyro, model.imu, model.imu.gyro_axes),
+          .accelerometer = mountingOf(*body, map.accelerometer, model.imu, model.imu.accel_axes),
           .gravity_m_s2 = mju_norm3(body->opt.gravity)};
 }
 

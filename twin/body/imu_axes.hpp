@@ -16,7 +16,7 @@ using MountingQuaternion = std::array<double, 4>;
 /// Orientation in the trunk's frame of a sensor at this site of the body, with the mounting of its board.
 MountingQuaternion mountedAt(const double* site, const ImuSettings& settings) noexcept;
 
-/// One number of ImuSettings::accel_axes.
+/// One number of ImuSettings::gyro_axes or accel_axes.
 struct ReadAxis {
   std::size_t index;  // of the sensor's true axis
   double sign;

@@ -9,6 +9,8 @@
 #include <string>
 
 #include "hal/text_file.hpp"
+#include "twin/body/ground.hpp"
+#include "twin/body/link_inertia.hpp"
 #include "twin/body/mujoco_guard.hpp"
 #include "twin/body/trunk.hpp"
 
@@ -67,6 +69,19 @@ void setFloor(mjModel& m, int floor, const BodySettings& settings) {
   }
 }
 
+void setLinks(mjModel& m, const BodyMap& map, const Model& model) {
+  for (std::size_t link = 0; link < kLinks; ++link) {
+    if (model.links[link] == LinkSettings{}) continue;
+    const int body = link == kTrunkLink ? map.trunk : map.link[link];
+    const double of_file_kg = m.body_mass[body];
+    changeLink(m, body, model.links[link]);
+    if (inertiaOfLink(m, body).isPossible()) continue;
+    throw std::runtime_error{whereLinkIs(model, link) + " mass = " + std::to_string(model.links[link].mass_kg) +
+                             " kg leaves no possible body; the file " + model.body.xml + " gives this link " +
+                             std::to_string(of_file_kg) + " kg, take less away or closer to the centre of mass"};
+  }
+}
+
 // Recomputes MuJoCo's constants that depend on masses.
 void updateConstants(mjModel& m, const std::string& file) {
   const MjDataPtr data = dataFor(m, file);
@@ -108,6 +123,10 @@ MjModelPtr loadBody(const Model& model, bool ball) {
   setFloor(m, map.floor, settings);
   setSelfCollision(m, map.trunk, settings.self_collision);
   setTrunk(m, map.trunk, settings);
+  setLinks(m, map, model);
+  if (settings.sole_size != 1) scaleSoles(m, map, settings.sole_size);
+  if (settings.floor_tilt_x_rad != 0 || settings.floor_tilt_y_rad != 0)
+    tiltFloor(m, settings.floor_tilt_x_rad, settings.floor_tilt_y_rad);
   if (m.opt.integrator == mjINT_RK4)
     throw std::runtime_error{path + ": integrator RK4 is not supported; use Euler, or remove the attribute"};
   updateConstants(m, path);

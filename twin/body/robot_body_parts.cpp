@@ -68,11 +68,30 @@ void RobotBody::Parts::stopSimulation(const char* why) noexcept {
       static_cast<double>(now_ns) * 1e-9, why);
 }
 
+// A bridge draws the winding's current for the share of its duty. With the duties of the last cycle the current falls
+// with the voltage, which is solved for: the drop of the last cycle alone would oscillate at full load.
+void RobotBody::Parts::sagBattery() noexcept {
+  double drawn_a = 0, falls_a_v = 0;
+  for (const Servo& servo : servos) {
+    const Signals& s = servo.signals();
+    if (!s.torque_on) continue;
+    drawn_a += s.duty * s.current_a;
+    falls_a_v += s.duty * s.duty / s.resistance_ohm;
+  }
+  const double ohm = model.body.battery_resistance_ohm;
+  battery_drop_v = ohm * (drawn_a + falls_a_v * battery_drop_v) / (1 + ohm * falls_a_v);
+}
+
 void RobotBody::Parts::physicsStep(const Drives& drives) noexcept {
   mjData& data = *d;
-  for (; next_firmware_ns <= now_ns; next_firmware_ns += firmware_ns)
-    for (std::size_t i = 0; i < kJoints; ++i)
-      servos[i].firmware(drives[i], torques.encoderRad(servos[i], i, data.qpos[map.qpos[i]]), data.qvel[map.dof[i]]);
+  for (; next_firmware_ns <= now_ns; next_firmware_ns += firmware_ns) {
+    if (model.body.battery_resistance_ohm > 0) sagBattery();
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      ServoDrive drive = drives[i];
+      drive.supply_v = std::max(0.0, drive.supply_v - battery_drop_v);
+      servos[i].firmware(drive, torques.encoderRad(servos[i], i, data.qpos[map.qpos[i]]), data.qvel[map.dof[i]]);
+    }
+  }
   if (ball_circles) moveBallOnCircle(data, map, static_cast<double>(now_ns) * 1e-9);
   torques.step(*m, data, map, servos);
   if (clamped_up) holdInStand(data, map, *clamped_up);
@@ -91,7 +110,8 @@ void RobotBody::Parts::placeAt(const std::array<double, kJoints>& angles_rad, do
   }
   for (std::size_t i = 0; i < kJoints; ++i) servos[i].reset(angles_rad[i]);
   torques.reset(*d, map);
-  imu.reset(*d);
+  imu.reset(*m, *d);
+  battery_drop_v = 0;
   pending_ns = push_until_ns = 0;
   next_firmware_ns = now_ns;
   publish();
@@ -106,7 +126,7 @@ bool RobotBody::Parts::clampAt(const ClampedUp& up) noexcept {
   clamped_up = up;
   holdInStand(*d, map, up);
   mj_kinematics(m.get(), d.get());
-  imu.reset(*d);
+  imu.reset(*m, *d);
   publish();
   return true;
 }
@@ -115,6 +135,7 @@ void RobotBody::Parts::publish() noexcept {
   for (std::size_t i = 0; i < kJoints; ++i) state.joint[i] = servos[i].report();
   state.gyro_rad_s = imu.gyro(*d, samples);
   state.accel_m_s2 = imu.accelerometer(*m, *d, samples);
+  state.battery_drop_v = battery_drop_v;
   mju_copy3(state.trunk_m.data(), d->qpos + map.trunk_qpos);
 }
 

@@ -16,6 +16,7 @@ struct RobotBody::Parts {
   Parts(const Model& requested, const RobotBodyOptions& options);
 
   void physicsStep(const Drives& drives) noexcept;
+  void sagBattery() noexcept;
   void placeAt(const std::array<double, kJoints>& angles_rad, double lean_rad, double settle_s = 0);
   bool clampAt(const ClampedUp& up) noexcept;
   void publish() noexcept;
@@ -34,6 +35,7 @@ struct RobotBody::Parts {
   std::int64_t step_ns, firmware_ns;
   std::int64_t now_ns = 0, next_firmware_ns = 0, pending_ns = 0, push_until_ns = 0;
   std::uint64_t samples = 0;
+  double battery_drop_v = 0;
   BodyState state;
   std::array<char, 400> error{};
 };

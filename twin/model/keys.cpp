@@ -13,24 +13,29 @@ constexpr std::array<std::string_view, 2> kTrunkInertias{"box", "published"};
 constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
 
 template <auto Member>
-Slot ofServo(Model& model) {
+Slot ofServo(Model& model, std::size_t /*link*/) {
   return &(model.servo.*Member);
 }
 template <auto Member>
-Slot ofBody(Model& model) {
+Slot ofBody(Model& model, std::size_t /*link*/) {
   return &(model.body.*Member);
 }
 template <auto Member>
-Slot ofImu(Model& model) {
+Slot ofImu(Model& model, std::size_t /*link*/) {
   return &(model.imu.*Member);
 }
-Slot nameOf(Model& model) {
+template <auto Member>
+Slot ofLink(Model& model, std::size_t link) {
+  return &(model.links[link].*Member);
+}
+Slot nameOf(Model& model, std::size_t /*link*/) {
   return &model.name;
 }
 
 using S = ServoParameters;
 using B = BodySettings;
 using I = ImuSettings;
+using L = LinkSettings;
 constexpr bool kOrNone = true;
 
 constexpr KeyRow kTable[] = {
@@ -98,24 +103,62 @@ constexpr KeyRow kTable[] = {
      "joints keep their angles until torque is first enabled"},
     {"body", "floor_friction", ofBody<&B::floor_friction>, {"", 0, 5}, {}, "Coulomb coefficient of floor and robot"},
     {"body", "contact_time", ofBody<&B::contact_time_s>, {"s", 1e-4, 0.5}, {}, "at least two steps"},
+    {"body", "sole_size", ofBody<&B::sole_size>, {"", 0.1, 3}, {}, "factor on length and width of both soles"},
+    {"body",
+     "floor_tilt_x",
+     ofBody<&B::floor_tilt_x_rad>,
+     {"rad", -0.5, 0.5},
+     {},
+     "floor turned about the world's x, forward"},
+    {"body", "floor_tilt_y", ofBody<&B::floor_tilt_y_rad>, {"rad", -0.5, 0.5}, {}, "then about y, left"},
+    {"body",
+     "battery_resistance",
+     ofBody<&B::battery_resistance_ohm>,
+     {"ohm", 0, 2},
+     {},
+     "of battery and cables that all servos share"},
     {"body", "step", ofBody<&B::step_s>, {"s", 5e-5, 0.01}, {}, "of the physics"},
 
     {"imu", "gyro_range", ofImu<&I::gyro_range_rad_s>, {"rad/s", 0.05, 100}, {}, "saturates there"},
     {"imu", "accel_range", ofImu<&I::accel_range_m_s2>, {"m/s2", 1, 1000}, {}, "saturates there"},
     {"imu", "gyro_bias", ofImu<&I::gyro_bias_rad_s>, {"rad/s", -1, 1}, {}, "x, y, z"},
     {"imu", "accel_bias", ofImu<&I::accel_bias_m_s2>, {"m/s2", -10, 10}, {}, "x, y, z"},
-    {"imu", "gyro_scale", ofImu<&I::gyro_scale>, {"", -2, 2}, {}, "x, y, z; -1 mirrors an axis"},
-    {"imu", "accel_scale", ofImu<&I::accel_scale>, {"", -2, 2}, {}, "x, y, z; -1 mirrors an axis"},
+    {"imu", "gyro_scale", ofImu<&I::gyro_scale>, {"", -3, 3}, {}, "x, y, z; -1 mirrors an axis"},
+    {"imu", "accel_scale", ofImu<&I::accel_scale>, {"", -3, 3}, {}, "x, y, z; -1 mirrors an axis"},
     {"imu", "mounting", ofImu<&I::mounting_rad>, {"rad", -4, 4}, {}, "rotation vector of the board: left, up, forward"},
+    {"imu", "gyro_axes", ofImu<&I::gyro_axes>, {"", -3, 3}, {}, "true axis read as x, y, z: 1 to 3; minus mirrors it"},
     {"imu",
      "accel_axes",
      ofImu<&I::accel_axes>,
      {"", -3, 3},
      {},
      "true axis read as x, y, z: 1 to 3; minus mirrors it"},
+    {"imu", "gyro_lowpass", ofImu<&I::gyro_lowpass_s>, {"s", 0, 1}, {}, "time constant of its filter, first order"},
+    {"imu", "delay", ofImu<&I::delay_s>, {"s", 0, 0.3}, {}, "of both sensors"},
     {"imu", "gyro_noise", ofImu<&I::gyro_noise_rad_s>, {"rad/s", 0, 1}, {}, "standard deviation per 1 ms sample"},
     {"imu", "accel_noise", ofImu<&I::accel_noise_m_s2>, {"m/s2", 0, 10}, {}, "standard deviation per 1 ms sample"},
 };
+
+constexpr KeyRow kLinkRows[] = {
+    {kLinkSection, "mass", ofLink<&L::mass_kg>, {"kg", -5, 5}, {}, "added to that of the body file; less, if negative"},
+    {kLinkSection,
+     "mass_from_com",
+     ofLink<&L::mass_from_com_m>,
+     {"m", -0.5, 0.5},
+     {},
+     "its place in the link's frame, from the link's centre of mass"},
+    {kLinkSection, "com_shift", ofLink<&L::com_shift_m>, {"m", -0.5, 0.5}, {}, "of the link's centre of mass"},
+};
+
+/// "link ArmLowerR"
+const std::array<std::string, kLinks>& linkSectionNames() {
+  static const std::array<std::string, kLinks> kNames = [] {
+    std::array<std::string, kLinks> names;
+    for (std::size_t i = 0; i < kLinks; ++i) names[i] = std::string{kLinkSection} + " " + std::string{linkName(i)};
+    return names;
+  }();
+  return kNames;
+}
 
 /// Counts the members of an aggregate: the largest number of initializers that it accepts.
 struct Anything {
@@ -135,26 +178,43 @@ consteval std::size_t rows(std::string_view section) {
 static_assert(rows("servo") == members<ServoParameters>(), "a new number of the servo needs a row in the table above");
 static_assert(rows("body") == members<BodySettings>(), "a new setting of the body needs a row in the table above");
 static_assert(rows("imu") == members<ImuSettings>(), "a new setting of the IMU needs a row in the table above");
+static_assert(std::size(kLinkRows) == members<LinkSettings>(),
+              "a new setting of a link needs a row in the table above");
 
 }  // namespace
 
 std::span<const KeyRow> keyTable() {
-  return kTable;
+  static const std::vector<KeyRow> kAll = [] {
+    std::vector<KeyRow> rows(std::begin(kTable), std::end(kTable));
+    for (std::size_t link = 0; link < kLinks; ++link)
+      for (const KeyRow& row : kLinkRows) {
+        rows.push_back(row);
+        rows.back().section = linkSectionNames()[link];
+        rows.back().in.link = link;
+      }
+    return rows;
+  }();
+  return kAll;
 }
 
 std::span<const std::string_view> plainSections() {
   return kSections;
 }
 
+std::string_view linkSection(std::size_t link) {
+  return linkSectionNames()[link];
+}
+
 const KeyRow* findKey(std::string_view section, std::string_view key) {
-  const auto* const found =
-      std::ranges::find_if(kTable, [&](const KeyRow& row) { return row.section == section && row.key == key; });
-  return found == std::end(kTable) ? nullptr : found;
+  const auto all = keyTable();
+  const auto found =
+      std::ranges::find_if(all, [&](const KeyRow& row) { return row.section == section && row.key == key; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 std::vector<std::string_view> keysOf(std::string_view section) {
   std::vector<std::string_view> keys;
-  for (const KeyRow& row : kTable)
+  for (const KeyRow& row : keyTable())
     if (row.section == section) keys.push_back(row.key);
   return keys;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/joints.hpp"
+#include "twin/model/link.hpp"
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -32,7 +33,11 @@ struct BodySettings {
   bool hold_until_driven = false;  // a joint keeps its angle until its torque is first enabled
   double floor_friction = 1.0;     // Coulomb coefficient; value of the 2013 simulator
   double contact_time_s = 0.008;   // time constant of a contact, critically damped
-  double step_s = 0.001;           // physics time step
+  double sole_size = 1;            // factor on length and width of both soles
+  // Slope of the floor: turned about the world's x (forward), then about y (left). A stand stays level.
+  double floor_tilt_x_rad = 0, floor_tilt_y_rad = 0;
+  double battery_resistance_ohm = 0;  // of battery and cables that all servos share
+  double step_s = 0.001;              // physics time step
 };
 
 /// Inertial sensor of the board, in SI units; the virtual board converts to counts.
@@ -42,22 +47,30 @@ struct ImuSettings {
   std::array<double, 3> gyro_bias_rad_s{}, accel_bias_m_s2{};
   std::array<double, 3> gyro_scale{1, 1, 1}, accel_scale{1, 1, 1};  // -1 mirrors an axis
   std::array<double, 3> mounting_rad{};                             // rotation vector of the board in the trunk's frame
-  std::array<double, 3> accel_axes{1, 2, 3};                        // true axis that is read as x, y, z, with its sign
+  std::array<double, 3> gyro_axes{1, 2, 3}, accel_axes{1, 2, 3};    // true axis that is read as x, y, z, with its sign
+  double gyro_lowpass_s = 0;                                        // time constant, first order; 0: no filter
+  double delay_s = 0;                                               // of both sensors
   double gyro_noise_rad_s = 0, accel_noise_m_s2 = 0;                // standard deviation per sample of 1 ms
 };
 
 struct Model {
   std::string name;    // "darwin-op"
   std::string folder;  // that contains `body.xml`
+  std::string file;    // for messages; empty: not read from a file
   ServoParameters servo;
   std::vector<EffectSetting> effects;
   BodySettings body;
   ImuSettings imu;
+  std::array<LinkSettings, kLinks> links{};
+  std::array<int, kLinks> link_lines{};  // of `file`, for messages; 0: unknown
 };
 
 /// Reads a model file. Throws std::runtime_error, "FILE, line N: problem; allowed values".
 Model readModel(const std::string& path);
 Model parseModel(std::string_view text, const std::string& file);
+
+/// "FILE, line N: [link ArmLowerR]", for a message about a link.
+std::string whereLinkIs(const Model& model, std::size_t link);
 
 /// `name`: path of an INI file, or name of a shipped model ("darwin-op", "webots-2013"). Throws std::runtime_error with
 /// the list of shipped models.

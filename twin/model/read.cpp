@@ -36,6 +36,14 @@ class ModelReader final : public text::IniReader {
       fail(lines_.contains("body/contact_time") ? "body/contact_time" : "body/step",
            "[body] contact_time is shorter than two steps; give at least " +
                writeNumber(2 * model_.body.step_s, {.unit = "s"}) + ", or a smaller step");
+    checkAxes("gyro_axes", model_.imu.gyro_axes);
+    checkAxes("accel_axes", model_.imu.accel_axes);
+    model_.file = file_;
+    for (std::size_t link = 0; link < kLinks; ++link) {
+      const std::string section{linkSection(link)};
+      if (lines_.contains(section)) model_.link_lines[link] = lineOf(section);
+      if (lines_.contains(section + "/mass")) model_.link_lines[link] = lineOf(section + "/mass");
+    }
     return model_;
   }
 
@@ -105,6 +113,13 @@ class ModelReader final : public text::IniReader {
     }
   }
 
+  void checkAxes(const std::string& key, std::array<double, 3> axes) const {
+    for (double& axis : axes) axis = std::abs(axis);
+    std::ranges::sort(axes);
+    if (axes != std::array<double, 3>{1, 2, 3})
+      fail("imu/" + key, "[imu] " + key + " reads no three axes; give 1, 2 and 3 in any order, with or without minus");
+  }
+
   const std::string& file_;
   Model model_;
   SectionName section_;
@@ -122,6 +137,11 @@ std::string folderOf(const std::string& file, const std::string& xml) {
 }
 
 }  // namespace
+
+std::string whereLinkIs(const Model& model, std::size_t link) {
+  std::string at = model.file.empty() ? "" : text::where(model.file, std::max(1, model.link_lines[link])) + ": ";
+  return at + "[" + std::string{linkSection(link)} + "]";
+}
 
 Model parseModel(std::string_view text, const std::string& file) {
   Model model = ModelReader{file}.read(text);

@@ -43,6 +43,15 @@ Joint jointNamed(std::string_view name) {
   throw std::runtime_error("there is no joint " + quoted(name) + "; " + text::suggestion(name, names));
 }
 
+std::size_t linkNamed(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (std::size_t link = 0; link < kLinks; ++link) {
+    names.push_back(linkName(link));
+    if (text::lowered(names.back()) == text::lowered(name)) return link;
+  }
+  throw std::runtime_error("there is no link " + quoted(name) + "; " + text::suggestion(name, names));
+}
+
 }  // namespace
 
 SectionName sectionFrom(std::string_view text) {
@@ -58,13 +67,14 @@ SectionName sectionFrom(std::string_view text) {
     if (words.size() == 3) name.joint = jointNamed(words[2]);
     return name;
   }
+  if (words.size() == 2 && text::lowered(words[0]) == kLinkSection) return {.plain = linkSection(linkNamed(words[1]))};
   std::string message = "there is no section [" + std::string{text} + "]; ";
   if (const EffectInfo* const info = words.empty() ? nullptr : findEffect(text::lowered(words[0])))
     throw std::runtime_error(message + "write an effect as [effect " + std::string{info->id} + "]");
   std::vector<std::string_view> known(plainSections().begin(), plainSections().end());
   if (const auto near = text::nearest(text, known))
     throw std::runtime_error(message + "did you mean [" + std::string{*near} + "]?");
-  throw std::runtime_error(message + "there are [model], [servo], [body], [imu] and [effect NAME]");
+  throw std::runtime_error(message + "there are [model], [servo], [body], [imu], [link NAME] and [effect NAME]");
 }
 
 std::string text(const SectionName& name) {

@@ -1,4 +1,4 @@
-// Section names of a model file: [model], [servo], [body], [imu], or an effect.
+// Section names of a model file: [model], [servo], [body], [imu], a link, or an effect.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,14 @@
 namespace darwinop::twin {
 
 struct SectionName {
-  std::string_view plain = {};       // "servo"; empty for an effect
+  std::string_view plain = {};       // "servo", "link Body"; empty for an effect
   const EffectInfo* info = nullptr;  // null for a plain section
   std::optional<Joint> joint = {};   // empty: all joints
   friend bool operator==(const SectionName&, const SectionName&) = default;
 };
 
-/// "servo", "effect coulomb", "effect coulomb Neck", case-insensitive. Throws std::runtime_error with a suggestion.
+/// "servo", "link Body", "effect coulomb", "effect coulomb Neck", case-insensitive. Throws std::runtime_error with a
+/// suggestion.
 SectionName sectionFrom(std::string_view text);
 /// Canonical spelling: "effect coulomb Neck".
 std::string text(const SectionName& name);

@@ -76,8 +76,12 @@ std::string allowed(const KeyRow& row) {
 std::string keysAsMarkdown() {
   std::string text;
   const Model defaults;
-  for (const std::string_view section : plainSections()) {
-    text += (text.empty() ? "### [" : "\n### [") + std::string{section} + "]\n\n";
+  std::vector<std::string_view> sections(plainSections().begin(), plainSections().end());
+  sections.push_back(linkSection(kTrunkLink));
+  for (const std::string_view section : sections) {
+    const bool is_link = section == sections.back();
+    text += (text.empty() ? "### [" : "\n### [") +
+            (is_link ? std::string{kLinkSection} + " NAME" : std::string{section}) + "]\n\n";
     for (const KeyRow& row : keyTable()) {
       if (row.section != section) continue;
       const std::string value = writeValue(defaults, row);

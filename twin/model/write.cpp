@@ -12,7 +12,10 @@ namespace {
 
 std::string textOf(const Model& model) {
   std::string out;
-  for (const std::string_view section : plainSections()) {
+  std::vector<std::string_view> sections(plainSections().begin(), plainSections().end());
+  for (std::size_t link = 0; link < kLinks; ++link)
+    if (model.links[link] != LinkSettings{}) sections.push_back(linkSection(link));
+  for (const std::string_view section : sections) {
     out += (out.empty() ? "[" : "\n[") + std::string{section} + "]\n";
     for (const KeyRow& row : keyTable())
       if (row.section == section) out += std::string{row.key} + " = " + writeValue(model, row) + "\n";

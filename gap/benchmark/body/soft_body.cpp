@@ -72,7 +72,7 @@ SoftBody::SoftBody(BodyCase& plan, std::size_t log, const BodyTruth& truth, cons
   ideal.gyro_noise_rad_s = ideal.accel_noise_m_s2 = 0;
   imu_ = std::make_unique<twin::Imu>(m, map_, ideal, 0);
   twin::orThrow(body.xml, [&] { place(); });
-  imu_->reset(*data_);
+  imu_->reset(m, *data_);
 }
 
 void SoftBody::place() {

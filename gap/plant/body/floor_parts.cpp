@@ -1,10 +1,11 @@
 #include "gap/plant/body/floor_parts.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <mutex>
 
 #include "gap/plant/body/limb_parts.hpp"
+#include "twin/body/ground.hpp"
+#include "twin/body/link_inertia.hpp"
 #include "twin/body/placing.hpp"
 
 namespace darwinop::gap {
@@ -19,10 +20,6 @@ twin::MjModelPtr loaded(const twin::Model& model) {
   return twin::loadBody(model, false);
 }
 
-Eigen::Map<Eigen::Vector3d> axesAt(mjtNum* values) {
-  return Eigen::Map<Eigen::Vector3d>{values};
-}
-
 Eigen::Matrix3d turnOf(const mjtNum* quat) {
   return Eigen::Quaterniond{quat[0], quat[1], quat[2], quat[3]}.normalized().toRotationMatrix();
 }
@@ -30,45 +27,6 @@ Eigen::Matrix3d turnOf(const mjtNum* quat) {
 void setQuat(mjtNum* quat, const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond q{rotation};
   quat[0] = q.w(), quat[1] = q.x(), quat[2] = q.y(), quat[3] = q.z();
-}
-
-/// Mass, centre and inertia of one body.
-Link inertialOf(mjModel& m, int body) {
-  Link out;
-  out.mass_kg = m.body_mass[body];
-  out.com_m = axesAt(m.body_ipos + 3 * body);
-  const Eigen::Matrix3d axes = turnOf(m.body_iquat + 4 * body);
-  out.inertia_kgm2 = axes * axesAt(m.body_inertia + 3 * body).asDiagonal() * axes.transpose();
-  return out;
-}
-
-void setInertial(mjModel& m, int body, const Link& link) {
-  m.body_mass[body] = link.mass_kg;
-  axesAt(m.body_ipos + 3 * body) = link.com_m;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal{link.inertia_kgm2};
-  axesAt(m.body_inertia + 3 * body) = principal.eigenvalues();
-  Eigen::Matrix3d axes = principal.eigenvectors();
-  if (axes.determinant() < 0) axes.col(0) *= -1;
-  setQuat(m.body_iquat + 4 * body, axes);
-  m.body_sameframe[body] = 0;
-}
-
-void change(mjModel& m, int body, double mass_kg, const Eigen::Vector3d& from_com_m, const Eigen::Vector3d& shift_m) {
-  Link link = inertialOf(m, body);
-  link.com_m += shift_m;
-  link.add(mass_kg, link.com_m + from_com_m);
-  setInertial(m, body, link);
-}
-
-void scaleSoles(mjModel& m, const twin::BodyMap& map, double scale) {
-  for (const Joint joint : {Joint::kFootR, Joint::kFootL})
-    for (int g = 0; g < m.ngeom; ++g) {
-      if (m.geom_bodyid[g] != map.link[static_cast<std::size_t>(joint)] || m.geom_contype[g] == 0) continue;
-      mjtNum* const size = m.geom_size + 3 * g;
-      for (int axis = 0; axis < 3; ++axis)
-        if (axis != kUpOfFoot) size[axis] *= scale;
-      m.geom_rbound[g] = mju_norm3(size);
-    }
 }
 
 void setEngine(mjModel& m, const twin::BodyMap& map, const PhysicsEngine& engine) {
@@ -79,6 +37,12 @@ void setEngine(mjModel& m, const twin::BodyMap& map, const PhysicsEngine& engine
     for (int i = 0; i < 2; ++i)
       m.pair_solimp[mjNIMP * p + i] = 1 - engine.impedance * (1 - m.pair_solimp[mjNIMP * p + i]);
   }
+}
+
+twin::LinkSettings settingsOf(double mass_kg, const Eigen::Vector3d& from_com_m, const Eigen::Vector3d& com_shift_m) {
+  return {.mass_kg = mass_kg,
+          .mass_from_com_m = {from_com_m.x(), from_com_m.y(), from_com_m.z()},
+          .com_shift_m = {com_shift_m.x(), com_shift_m.y(), com_shift_m.z()}};
 }
 
 }  // namespace
@@ -92,15 +56,12 @@ twin::MjModelPtr bodyOf(const twin::Model& model, const FloorHypothesis& hypothe
   mjModel& m = *compiled;
   const twin::BodyMap map = twin::mapBody(m, model.body.xml);
   for (const LinkChange& of : hypothesis.robot.links)
-    change(m, map.link[static_cast<std::size_t>(of.link)], of.mass_kg, of.from_com_m, of.com_shift_m);
+    twin::changeLink(m, map.link[static_cast<std::size_t>(of.link)],
+                     settingsOf(of.mass_kg, of.from_com_m, of.com_shift_m));
   if (floor.trunk_mass_kg != 0 || !floor.trunk_com_shift_m.isZero())
-    change(m, map.trunk, floor.trunk_mass_kg, floor.trunk_from_com_m, floor.trunk_com_shift_m);
-  if (floor.sole_scale != 1) scaleSoles(m, map, floor.sole_scale);
-  // Not the floor is turned but gravity: a roll-out has no other reference.
-  const Eigen::Matrix3d turned = (Eigen::AngleAxisd{floor.tilt_rad[1], Eigen::Vector3d::UnitY()} *
-                                  Eigen::AngleAxisd{floor.tilt_rad[0], Eigen::Vector3d::UnitX()})
-                                     .toRotationMatrix();
-  axesAt(m.opt.gravity) = turned.transpose() * Eigen::Vector3d{axesAt(m.opt.gravity)};
+    twin::changeLink(m, map.trunk, settingsOf(floor.trunk_mass_kg, floor.trunk_from_com_m, floor.trunk_com_shift_m));
+  if (floor.sole_scale != 1) twin::scaleSoles(m, map, floor.sole_scale);
+  twin::tiltFloor(m, floor.tilt_rad[0], floor.tilt_rad[1]);
   setEngine(m, map, hypothesis.engine);
   return compiled;
 }

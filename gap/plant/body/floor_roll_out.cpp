@@ -82,7 +82,7 @@ FloorSimulation::FloorSimulation(const BodyCase& given, std::size_t log, const F
   data_->qpos[map_.trunk_qpos + 2] += hypothesis.engine.drop_m;
   for (std::size_t i = 0; i < kJoints; ++i) servos_[i].reset(pose[i], given.logs[log].session_start_s - kStoodBefore);
   torques_->reset(*data_, map_);
-  imu_->reset(*data_);
+  imu_->reset(*model_, *data_);
 }
 
 void FloorSimulation::writeRow(std::size_t row) {

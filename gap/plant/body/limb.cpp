@@ -21,11 +21,6 @@ Eigen::Matrix3d rotationAt(const mjtNum* quat) {
   return Eigen::Quaterniond{quat[0], quat[1], quat[2], quat[3]}.normalized().toRotationMatrix();
 }
 
-/// Inertia of a point mass at this place, about the origin.
-Eigen::Matrix3d inertiaOfPoint(double mass, const Eigen::Vector3d& at) {
-  return mass * (at.squaredNorm() * Eigen::Matrix3d::Identity() - at * at.transpose());
-}
-
 Link linkOf(const mjModel& m, int body, Joint joint, const std::string& file) {
   const int hinge = m.body_jntadr[body];
   if (m.body_jntnum[body] != 1 || vectorAt(m.jnt_pos + 3 * hinge).norm() > kOffAxis)
@@ -37,22 +32,11 @@ Link linkOf(const mjModel& m, int body, Joint joint, const std::string& file) {
   link.rotation = rotationAt(m.body_quat + 4 * body);
   link.axis = vectorAt(m.jnt_axis + 3 * hinge).normalized();
   link.low_rad = m.jnt_range[2 * hinge], link.high_rad = m.jnt_range[2 * hinge + 1];
-  link.mass_kg = m.body_mass[body];
-  link.com_m = vectorAt(m.body_ipos + 3 * body);
-  const Eigen::Matrix3d principal = rotationAt(m.body_iquat + 4 * body);
-  link.inertia_kgm2 = principal * vectorAt(m.body_inertia + 3 * body).asDiagonal() * principal.transpose();
+  static_cast<twin::LinkInertia&>(link) = twin::inertiaOfLink(m, body);
   return link;
 }
 
 }  // namespace
-
-void Link::add(double mass, const Eigen::Vector3d& at) {
-  const double sum = mass_kg + mass;
-  const Eigen::Vector3d com = (mass_kg * com_m + mass * at) / sum;
-  inertia_kgm2 += inertiaOfPoint(mass_kg, com_m - com) + inertiaOfPoint(mass, at - com);
-  mass_kg = sum;
-  com_m = com;
-}
 
 std::vector<Limb> limbsOf(const twin::Model& model) {
   const twin::MjModelPtr compiled = twin::loadBody(model, false);

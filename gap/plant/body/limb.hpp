@@ -7,24 +7,19 @@
 #include <vector>
 
 #include "core/joints.hpp"
+#include "twin/body/link_inertia.hpp"
 #include "twin/model/model.hpp"
 
 namespace darwinop::gap {
 
 /// A link and the hinge that carries it. Its frame has its origin on the hinge's axis. SI units.
-struct Link {
+struct Link : twin::LinkInertia {
   Joint joint{};
   int parent = -1;                   // index in the limb; -1: the trunk
   Eigen::Vector3d origin;            // in the parent's frame
   Eigen::Matrix3d rotation;          // of the link's frame to the parent's where the joint is at 0
   Eigen::Vector3d axis;              // unit vector, in the link's frame
   double low_rad = 0, high_rad = 0;  // mechanical stops, true angles
-  double mass_kg = 0;
-  Eigen::Vector3d com_m;         // in the link's frame
-  Eigen::Matrix3d inertia_kgm2;  // about the centre of mass, in the link's frame
-
-  /// Attaches a point mass.
-  void add(double mass, const Eigen::Vector3d& at);
 };
 
 /// In the order from the trunk outward: a link follows its parent.

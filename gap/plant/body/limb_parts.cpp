@@ -37,8 +37,7 @@ Limb linksOf(const Limb& limb, const BodyHypothesis& hypothesis) {
   for (Link& link : out)
     for (const LinkChange& change : hypothesis.links) {
       if (change.link != link.joint) continue;
-      link.com_m += change.com_shift_m;
-      link.add(change.mass_kg, link.com_m + change.from_com_m);
+      link.change(change.mass_kg, change.from_com_m, change.com_shift_m);
     }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "twin/body/imu_axes.hpp"
+#include "twin/body/sensor_lag.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -55,7 +56,7 @@ MovingImu::Readings MovingImu::of(const FloorTrace& trace, const ImuDeviation& d
   const Eigen::MatrixX3d* rates = &trace.gyro_rad_s;
   if (deviation.lowpass_s > 0) {
     slow = trace.gyro_rad_s;
-    const double share = 1 - std::exp(-period_s_ / deviation.lowpass_s);
+    const double share = twin::lowpassShare(period_s_, deviation.lowpass_s);
     for (Eigen::Index i = 1; i < slow.rows(); ++i)
       slow.row(i) = slow.row(i - 1) + share * (slow.row(i) - slow.row(i - 1));
     rates = &slow;

@@ -28,10 +28,11 @@ INSTANTIATE_TEST_SUITE_P(
     Sections, WrongModelFile,
     testing::Values(Wrong{"[servos]\n", "3: there is no section [servos]; did you mean [servo]?"},
                     Wrong{"[camera]\n",
-                          "3: there is no section [camera]; there are [model], [servo], [body], [imu] and "
-                          "[effect NAME]"},
+                          "3: there is no section [camera]; there are [model], [servo], [body], [imu], "
+                          "[link NAME] and [effect NAME]"},
                     Wrong{"[]\n",
-                          "3: there is no section []; there are [model], [servo], [body], [imu] and [effect NAME]"},
+                          "3: there is no section []; there are [model], [servo], [body], [imu], [link NAME] "
+                          "and [effect NAME]"},
                     Wrong{"[coulomb]\n", "3: there is no section [coulomb]; write an effect as [effect coulomb]"},
                     Wrong{"[servo\n", "3: the section's closing bracket ] is missing"},
                     Wrong{"[servo] kt\n", "3: there is something behind the section's closing bracket ]"},
@@ -46,7 +47,13 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[body]\nmass = 3 kg\n",
               "4: [body] mass = 3 kg: no such key; there are xml, trunk_com, trunk_inertia, "
               "self_collision, hold_until_driven, "
-              "floor_friction, contact_time and step"},
+              "floor_friction, contact_time, sole_size, floor_tilt_x, floor_tilt_y, battery_resistance and step"},
+        Wrong{"[imu]\ngyro_axes = 1, -1, 3\n",
+              "4: [imu] gyro_axes reads no three axes; give 1, 2 and 3 in any order, with or without minus"},
+        Wrong{"[link ArmLowerR]\nmas = 3 kg\n", "4: [link ArmLowerR] mas = 3 kg: no such key; did you mean mass?"},
+        Wrong{"[link armlowerr]\nmass = 9 kg\n", "4: [link ArmLowerR] mass = 9 kg: out of range; give -5 to 5 kg"},
+        Wrong{"[link ArmLowerR]\nmass = 0.1 kg\n[link armlowerr]\n",
+              "5: [link ArmLowerR] is already in line 3; keep one of the two"},
         Wrong{"[servo]\nkt = 1 N m/A\n;\nKT = 2 N m/A\n", "6: [servo] KT is already in line 4; keep one of the two"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -66,9 +66,13 @@ class RandomModels {
       value = number(row.number);
     else if constexpr (std::is_same_v<T, std::string>)
       value = text();
-    else if constexpr (std::is_same_v<T, std::array<double, 3>>)
+    else if constexpr (std::is_same_v<T, std::array<double, 3>>) {
       for (double& axis : value) axis = number(row.number);
-    else
+      if (!row.key.ends_with("_axes")) return;
+      value = {1, 2, 3};
+      std::ranges::shuffle(value, engine_);
+      for (double& axis : value) axis = one(2) ? axis : -axis;
+    } else
       value = static_cast<T>(upTo(row.words.size() - 1));
   }
 
