@@ -90,7 +90,10 @@ int addToBody(const Arguments& given) {
   for (const AddedEffect& effect : added.additions.effects)
     std::cerr << "darwinop gap: " << effect.id << " at "
               << (effect.joints.empty() ? "all joints" : placesText(effect.joints)) << " added\n";
-  for (const AddedAxes& axes : added.additions.imu) std::cerr << "darwinop gap: [imu] " << axes.key << " changed\n";
+  for (const AddedNumber& number : added.additions.numbers)
+    std::cerr << "darwinop gap: [" << number.section << "] " << number.key << " changed\n";
+  for (const AddedAxes& axes : added.additions.axes)
+    std::cerr << "darwinop gap: [" << axes.section << "] " << axes.key << " changed\n";
   for (const std::string& sentence : added.left_out) std::cerr << "darwinop gap: " << sentence << '\n';
   return 0;
 }

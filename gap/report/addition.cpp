@@ -118,7 +118,7 @@ std::string withAdditions(std::string text, const Additions& additions) {
       text = twin::withEffect(text, setting, wrapped(comments));
     }
   }
-  for (const AddedAxes& axes : additions.imu) text = withImuNumbers(text, axes.key, axes.values);
+  for (const AddedAxes& axes : additions.axes) text = withAxes(text, axes.section, axes.key, axes.values);
   return text;
 }
 

@@ -31,15 +31,15 @@ struct AddedNumber {
   std::string section = "servo";
 };
 
-/// A key of [imu] with a number for x, y and z.
+/// A key with a number for x, y and z.
 struct AddedAxes {
-  std::string key;
+  std::string section, key;
   std::array<double, 3> values{};
 };
 
 struct Additions {
   std::vector<AddedNumber> numbers;
-  std::vector<AddedAxes> imu = {};
+  std::vector<AddedAxes> axes = {};
   std::vector<AddedEffect> effects;
 };
 

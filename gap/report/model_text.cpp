@@ -6,6 +6,7 @@
 #include "core/text/nearest.hpp"
 #include "core/text/number_text.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/sections.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -40,6 +41,12 @@ std::string_view keyIn(std::string_view line) {
                                                                             : trimmed(line.substr(0, equals));
 }
 
+/// Of the line "[link armlowerr]  ; comment": "link ArmLowerR"; empty: an effect.
+std::string_view sectionOf(std::string_view line) {
+  const std::size_t begin = line.find('[') + 1;
+  return twin::sectionFrom(line.substr(begin, line.find(']') - begin)).plain;
+}
+
 /// `text` with another value for a key of the model.
 template <class Value>
 std::string withValue(std::string_view text, const twin::KeyRow& row, const Value& value) {
@@ -55,7 +62,7 @@ std::string withValue(std::string_view text, const twin::KeyRow& row, const Valu
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = text.substr(at, end - at);
     const bool is_header = trimmed(line).starts_with('[');
-    if (is_header) in_section = trimmed(line).starts_with(header);
+    if (is_header) in_section = sectionOf(line) == row.section;
     const bool here = in_section && !done && keyIn(line) == row.key;
     out += (here ? now : std::string{line}) + "\n";
     done = done || here;
@@ -76,8 +83,9 @@ std::string withNumber(std::string_view text, std::string_view section, const st
   return withValue(text, rowOf<double>(section, key), value);
 }
 
-std::string withImuNumbers(std::string_view text, const std::string& key, const std::array<double, 3>& values) {
-  return withValue(text, rowOf<std::array<double, 3>>("imu", key), values);
+std::string withAxes(std::string_view text, std::string_view section, const std::string& key,
+                     const std::array<double, 3>& values) {
+  return withValue(text, rowOf<std::array<double, 3>>(section, key), values);
 }
 
 std::vector<MovedNumber> movedNumbers(const twin::ServoParameters& before, const twin::ServoParameters& after) {

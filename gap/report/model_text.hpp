@@ -14,8 +14,9 @@ namespace darwinop::gap {
 /// Throws std::runtime_error for what is no such number, or out of its range.
 std::string withNumber(std::string_view text, std::string_view section, const std::string& key, double value);
 
-/// The same with the numbers of x, y and z of a key of [imu].
-std::string withImuNumbers(std::string_view text, const std::string& key, const std::array<double, 3>& values);
+/// The same with the numbers of x, y and z.
+std::string withAxes(std::string_view text, std::string_view section, const std::string& key,
+                     const std::array<double, 3>& values);
 
 /// A number of [servo] of two models that is not the same in both.
 struct MovedNumber {

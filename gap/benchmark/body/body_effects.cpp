@@ -7,9 +7,10 @@
 #include "core/text/nearest.hpp"
 #include "gap/benchmark/body/drawn_sizes.hpp"
 #include "gap/benchmark/body/outside_effects.hpp"
-#include "gap/benchmark/body/sensor_truth.hpp"
+#include "gap/identify/body/battery.hpp"
 #include "gap/identify/body/floor_effect.hpp"
 #include "gap/identify/body/mechanical_effect.hpp"
+#include "gap/identify/body/sensor_effect.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -17,7 +18,7 @@ namespace {
 
 // Ids that other suites use for what the catalogue of servos has.
 constexpr std::string_view kBusLatency = "bus_latency", kTransportDelay = "transport_delay",
-                           kBattery = "battery_resistance";
+                           kBattery = kBatteryResistance;
 
 const SensorEffect* restingEffect(const std::string& id) {
   const auto all = sensorEffects();

@@ -4,9 +4,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "gap/benchmark/body/sensor_truth.hpp"
 #include "gap/identify/body/floor_effect.hpp"
 #include "gap/identify/body/mechanical_effect.hpp"
+#include "gap/identify/body/sensor_effect.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -78,7 +78,7 @@ std::string asText(const FoundBattery& found) {
 
 nlohmann::ordered_json effectJson(const FoundBattery& found) {
   const double half = thresholds::kInterval90 * found.sigma_ohm;
-  return {{"id", "battery_resistance"},
+  return {{"id", kBatteryResistance},
           {"at", "battery"},
           {"params", {{"resistance", found.resistance_ohm}}},
           {"interval_90", {{"resistance", {found.resistance_ohm - half, found.resistance_ohm + half}}}}};

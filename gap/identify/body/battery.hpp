@@ -5,10 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "gap/case/body/body_case.hpp"
 
 namespace darwinop::gap {
+
+inline constexpr std::string_view kBatteryResistance = "battery_resistance";  // id of the effect
 
 struct FoundBattery {
   double resistance_ohm = 0, sigma_ohm = 0;

@@ -1,6 +1,7 @@
 #include "gap/identify/body/sensor_effect.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "gap/thresholds.hpp"
@@ -20,6 +21,18 @@ std::span<const SensorEffect> sensorEffects() {
       SensorEffect{"accel_axes", "accelerometer", "map", "", ImuSensor::kAccelerometer, Kind::kMap,
                    std::numeric_limits<double>::infinity()}};
   return kEffects;
+}
+
+void applyTo(ImuDeviation& imu, const SensorEffect& effect, const std::vector<double>& values) {
+  RestingImu::Deviation& of = effect.sensor == ImuSensor::kGyro ? imu.gyro : imu.accel;
+  const Eigen::Vector3d vector{values.at(0), values.at(1), values.at(2)};
+  if (effect.number == SensorEffect::Number::kBias) of.bias += vector;
+  if (effect.number == SensorEffect::Number::kScale) of.scale = vector;
+  if (effect.number == SensorEffect::Number::kRotation) of.rotation = vector;
+  if (effect.number != SensorEffect::Number::kMap) return;
+  of.map.setZero();
+  for (Eigen::Index i = 0; i < 3; ++i)
+    of.map(i, static_cast<Eigen::Index>(std::abs(vector[i])) - 1) = vector[i] > 0 ? 1 : -1;
 }
 
 bool SensorFit::has(SensorEffect::Number number) const {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gap/plant/body/resting_imu.hpp"
+#include "gap/plant/body/moving_imu.hpp"
 
 namespace darwinop::gap {
 
@@ -21,6 +21,9 @@ struct SensorEffect {
 
 /// Each has its parameter for x, y and z. A map names the true axis that is read, 1 to 3, with its sign.
 std::span<const SensorEffect> sensorEffects();
+
+/// The sensors with this effect. `values`: of x, y and z.
+void applyTo(ImuDeviation& imu, const SensorEffect& effect, const std::vector<double>& values);
 
 /// A model of one sensor with some effects, fitted.
 struct SensorFit {

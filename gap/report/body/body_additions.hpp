@@ -12,7 +12,7 @@ namespace darwinop::gap {
 
 struct BodyAdditions {
   Additions additions;
-  std::vector<std::string> left_out;  // sentences: what was found and a model file cannot have
+  std::vector<std::string> left_out;  // sentences: what the model has already and cannot have twice
 };
 
 /// From what `run` wrote of the case `name`: report.json, or results.json of a benchmark. `model`: that they go into.

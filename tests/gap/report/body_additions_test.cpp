@@ -9,7 +9,6 @@ namespace darwinop::gap {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr const char* kModel = R"([model]
@@ -70,12 +69,62 @@ TEST(BodyAdditions, AFloorsNumbersReplaceTheModels) {
   EXPECT_EQ(model.body.contact_time_s, 0.03);
 }
 
-TEST(BodyAdditions, ATiltAndAMassAreReportedAsLeftOut) {
-  EXPECT_THAT(added(R"({"id": "floor_tilt", "at": "floor", "params": {"tilt": [0.1, 0]}})").left_out, SizeIs(1));
-  const BodyAdditions found = added(R"({"id": "link_mass", "at": "ArmLowerR", "params": {"mass": 0.05}})");
-  EXPECT_THAT(found.additions.effects, IsEmpty());
-  ASSERT_THAT(found.left_out, SizeIs(1));
-  EXPECT_THAT(found.left_out.front(), HasSubstr("ArmLowerR"));
+TEST(BodyAdditions, AMassGoesToItsLinkWithItsPlace) {
+  const std::string text =
+      withAdditions(kModel, added(R"({"id": "link_mass", "at": "ArmLowerR", "params": {"mass": 0.055}},
+                       {"id": "link_com", "at": "Body", "params": {"shift": [0, 0, -0.018]}})")
+                                .additions);
+  EXPECT_THAT(text, HasSubstr("[link ArmLowerR]\nmass = 0.055 kg  ; was 0 kg\n"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("mass_from_com")));
+  const twin::Model model = twin::parseModel(text, "m");
+  EXPECT_EQ(model.links[static_cast<std::size_t>(Joint::kArmLowerR)].mass_kg, 0.055);
+  EXPECT_EQ(model.links[twin::kTrunkLink].com_shift_m[2], -0.018);
+}
+
+TEST(BodyAdditions, ASecondMassOfALinkKeepsWeightAndMoment) {
+  const std::string light = R"({"id": "link_mass", "at": "Body", "params": {"mass": 0.2}})";
+  const std::string one = withAdditions(kModel, added(light).additions);
+  const BodyAdditions again = bodyAdditionsIn(R"({"case": "c", "verdict": "named", "effects": [)" + light + "]}",
+                                              "report.json", "c", twin::parseModel(one, "m"));
+  const twin::Model model = twin::parseModel(withAdditions(one, again.additions), "m");
+  EXPECT_NEAR(model.links[twin::kTrunkLink].mass_kg, 0.4, 1e-9);
+  EXPECT_NEAR(model.links[twin::kTrunkLink].mass_from_com_m[0], 0, 1e-6);
+}
+
+TEST(BodyAdditions, FloorTiltSolesAndLateSensorsAreKeys) {
+  const twin::Model model = modelWith(
+      R"({"id": "floor_tilt", "at": "floor", "params": {"tilt": [0.04, -0.01]}},
+         {"id": "sole_size", "at": "floor", "params": {"scale": 0.8}},
+         {"id": "gyro_axes", "at": "gyro", "params": {"map": [2, -1, 3]}},
+         {"id": "gyro_lowpass", "at": "gyro", "params": {"time": 0.03}},
+         {"id": "imu_delay", "at": "imu", "params": {"delay": 0.012}},
+         {"id": "battery_resistance", "at": "battery", "params": {"resistance": 0.2}})");
+  EXPECT_EQ(model.body.floor_tilt_x_rad, 0.04);
+  EXPECT_EQ(model.body.floor_tilt_y_rad, -0.01);
+  EXPECT_EQ(model.body.sole_size, 0.8);
+  EXPECT_EQ(model.imu.gyro_axes, (std::array<double, 3>{2, -1, 3}));
+  EXPECT_EQ(model.imu.gyro_lowpass_s, 0.03);
+  EXPECT_EQ(model.imu.delay_s, 0.012);
+  EXPECT_EQ(model.body.battery_resistance_ohm, 0.2);
+}
+
+TEST(BodyAdditions, TwoFiltersOfOneSensorAreAConflict) {
+  const std::string filter = R"({"id": "gyro_lowpass", "at": "gyro", "params": {"time": 0.03}})";
+  const std::string one = withAdditions(kModel, added(filter).additions);
+  const BodyAdditions again = bodyAdditionsIn(R"({"case": "c", "verdict": "named", "effects": [)" + filter + "]}",
+                                              "report.json", "c", twin::parseModel(one, "m"));
+  ASSERT_THAT(again.left_out, SizeIs(1));
+  EXPECT_THAT(again.left_out.front(), HasSubstr("gyro_lowpass"));
+  EXPECT_EQ(withAdditions(one, again.additions), one);
+}
+
+TEST(BodyAdditions, AnEffectThatDoesNotExistIsRefusedByItsName) {
+  try {
+    (void)added(R"({"id": "gyro_bais", "at": "gyro", "params": {"bias": [0, 0, 0]}})");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("there is no effect gyro_bais at \"gyro\"; did you mean gyro_bias"));
+  }
 }
 
 TEST(BodyAdditions, AResultThatNamesNothingOrIsOfAnotherCaseIsRefused) {
