@@ -6,6 +6,7 @@
 
 #include "core/json/json_text.hpp"
 #include "gap/case/body/body_check.hpp"
+#include "gap/export/body/body_export.hpp"
 #include "gap/identify/body/body_identification.hpp"
 #include "gap/identify/body/mechanics_text.hpp"
 #include "gap/localize/body/floor_rows.hpp"
@@ -95,6 +96,19 @@ int addToBody(const Arguments& given) {
   for (const AddedAxes& axes : added.additions.axes)
     std::cerr << "darwinop gap: [" << axes.section << "] " << axes.key << " changed\n";
   for (const std::string& sentence : added.left_out) std::cerr << "darwinop gap: " << sentence << '\n';
+  return 0;
+}
+
+int writeBodyFor(const Arguments& given) {
+  const BodyCase read = readBody(given);
+  const ExportSettings settings{.model = read.joints.model.name};
+  const Export made = exportBody(targetFrom(given.target).value(), read.joints.model, settings);
+  if (given.out.empty())
+    std::cout << made.text;
+  else
+    writeTextFile(given.out, made.text);
+  for (const std::string& lost : made.lost) std::cerr << "lost: " << lost << '\n';
+  for (const std::string& approximated : made.approximated) std::cerr << "approximated: " << approximated << '\n';
   return 0;
 }
 

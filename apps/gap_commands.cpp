@@ -81,6 +81,7 @@ int hideEffects(const Arguments& given) {
 int writeFor(const Arguments& given) {
   const std::optional<Target> target = targetFrom(given.target);
   if (!target) throw std::runtime_error("there is no target '" + given.target + "'; there are webots, mujoco and urdf");
+  if (isBodyCase(given.folder)) return writeBodyFor(given);
   const Case read = readGiven(given);
   const ExportSettings settings = settingsFor(read);
   const Hypothesis model = baselineOf(read);

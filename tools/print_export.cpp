@@ -1,8 +1,8 @@
 // Prints the tables of docs/gap/export.md: what each target can hold.
 #include <iostream>
 
-#include "gap/export/holds.hpp"
+#include "gap/export/body/body_holds.hpp"
 
 int main() {
-  std::cout << darwinop::gap::holdingsAsMarkdown();
+  std::cout << darwinop::gap::holdingsAsMarkdown() << '\n' << darwinop::gap::keyHoldingsAsMarkdown();
 }

@@ -39,28 +39,6 @@ constexpr HoldingRow kNumbers[] = {
      [](const Hypothesis&) { return true; }},
 };
 
-/// One line per target: which of the rows it holds, approximates and loses.
-std::string tableOf(std::string_view what, std::span<const HoldingRow> rows, std::string_view quote) {
-  constexpr Fate kColumns[] = {Fate::kHeld, Fate::kApproximated, Fate::kLost};
-  std::string text = "| " + std::string{what} + " |";
-  for (const Fate fate : kColumns) text.append(" ").append(name(fate)).append(" |");
-  text += "\n|---|---|---|---|\n";
-  for (const TargetInfo& info : kTargetTable) {
-    text.append("| ").append(info.title).append(" |");
-    for (const Fate fate : kColumns) {
-      std::string_view between = " ";
-      for (const HoldingRow& row : rows) {
-        if (row.of(info.target).fate != fate) continue;
-        text.append(between).append(quote).append(row.what).append(quote);
-        between = ", ";
-      }
-      text += " |";
-    }
-    text += "\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 std::vector<HoldingRow> effectHoldings() {
@@ -82,8 +60,29 @@ std::string_view name(Fate fate) {
   return kNames[static_cast<std::size_t>(fate)];
 }
 
+std::string holdingTable(std::string_view what, std::span<const HoldingRow> rows, std::string_view quote) {
+  constexpr Fate kColumns[] = {Fate::kHeld, Fate::kApproximated, Fate::kLost};
+  std::string text = "| " + std::string{what} + " |";
+  for (const Fate fate : kColumns) text.append(" ").append(name(fate)).append(" |");
+  text += "\n|---|---|---|---|\n";
+  for (const TargetInfo& info : kTargetTable) {
+    text.append("| ").append(info.title).append(" |");
+    for (const Fate fate : kColumns) {
+      std::string_view between = " ";
+      for (const HoldingRow& row : rows) {
+        if (row.of(info.target).fate != fate) continue;
+        text.append(between).append(quote).append(row.what).append(quote);
+        between = ", ";
+      }
+      text += " |";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 std::string holdingsAsMarkdown() {
-  return tableOf("Effects", effectHoldings(), "`") + "\n" + tableOf("Numbers of the servo", kNumbers, "");
+  return holdingTable("Effects", effectHoldings(), "`") + "\n" + holdingTable("Numbers of the servo", kNumbers, "");
 }
 
 }  // namespace darwinop::gap

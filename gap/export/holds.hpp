@@ -33,6 +33,8 @@ std::span<const HoldingRow> numberHoldings();
 HoldingRow holdingOf(const twin::EffectInfo& effect);
 
 std::string_view name(Fate fate);
+/// One line per target: which of the rows it holds, approximates and loses.
+std::string holdingTable(std::string_view what, std::span<const HoldingRow> rows, std::string_view quote);
 /// Two tables in Markdown, effects and numbers by target and fate; `how` is in each exported file.
 std::string holdingsAsMarkdown();
 

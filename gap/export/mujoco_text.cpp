@@ -43,7 +43,9 @@ std::string body(const JointText& joint, const MujocoFields& f) {
          joints(joint, f) + "    </body>\n";
 }
 
-std::string actuators(const JointText& joint, const MujocoFields& f) {
+}  // namespace
+
+std::string mujocoActuators(const JointText& joint, const MujocoFields& f) {
   const std::string name = joint.settings.joint, limit = shortest(f.force);
   std::string text = xmlComments(
       {joint.servo.p_on_torque
@@ -64,8 +66,6 @@ std::string actuators(const JointText& joint, const MujocoFields& f) {
   return text;
 }
 
-}  // namespace
-
 std::string mujocoText(const JointText& joint, const MujocoFields& f) {
   std::string text = "<mujoco model=\"" + joint.settings.joint + "\">\n" + xmlComments(joint.head, "  ");
   text += xmlComments({"Torque off: set gainprm and biasprm of its actuators to 0, and back again."}, "  ");
@@ -73,7 +73,7 @@ std::string mujocoText(const JointText& joint, const MujocoFields& f) {
   text += "  <option" + attribute("timestep", f.timestep) + " integrator=\"Euler\" gravity=\"0 0 " +
           shortest(-joint.arm.gravity_m_s2) + "\"/>\n";
   text += "  <worldbody>\n" + body(joint, f) + "  </worldbody>\n";
-  text += "  <actuator>\n" + actuators(joint, f) + "  </actuator>\n";
+  text += "  <actuator>\n" + mujocoActuators(joint, f) + "  </actuator>\n";
   text += "  <sensor>\n" +
           tag("    ", "jointpos name=\"" + joint.settings.joint + "S\" joint=\"" + joint.settings.joint + "\"" +
                           attribute("noise", f.sensor_noise)) +

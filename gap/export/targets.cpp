@@ -12,23 +12,6 @@
 namespace darwinop::gap {
 namespace {
 
-void checkSettings(Target target, const ExportSettings& settings) {
-  const auto allowed = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '-';
-  };
-  if (settings.joint.empty() || !std::ranges::all_of(settings.joint, allowed))
-    throw std::runtime_error("export: the joint's name is \"" + settings.joint +
-                             "\"; use letters, digits, '_' and '-', as in ArmUpperR");
-  if (!(settings.p_register >= 1 && settings.p_register <= 254))
-    throw std::runtime_error("export: P register = " + shortest(settings.p_register) +
-                             "; 1 to 254 are allowed, and 32 is the servo's own");
-  const double step_s = settings.stepOf(target);
-  if (!(step_s >= 1e-5 && step_s <= 0.1))
-    throw std::runtime_error("export: a time step of " + shortest(step_s) + " s; 0.00001 to 0.1 s are allowed, and " +
-                             std::string{infoOf(target).title} + "'s usual one is " + shortest(infoOf(target).step_s) +
-                             " s");
-}
-
 bool isNeutral(const twin::EffectSetting& effect) {
   for (std::size_t i = 0; i < effect.values.size(); ++i)
     if (effect.values[i] != effect.info->parameters[i].neutral) return false;
@@ -46,13 +29,6 @@ std::string described(const twin::EffectSetting& effect) {
   return std::string{effect.info->id} + " (" + text + ")";
 }
 
-void report(Target target, const std::string& what, const Holding& holding, Export& out) {
-  const std::string title{infoOf(target).title}, how{holding.how};
-  if (holding.fate == Fate::kLost) out.lost.push_back(title + " loses " + what + ": " + how + ".");
-  if (holding.fate == Fate::kApproximated)
-    out.approximated.push_back(title + " approximates " + what + " as " + how + ".");
-}
-
 std::string write(Target target, const JointText& joint) {
   switch (target) {
     case Target::kWebots:
@@ -66,6 +42,30 @@ std::string write(Target target, const JointText& joint) {
 }
 
 }  // namespace
+
+void checkSettings(Target target, const ExportSettings& settings) {
+  const auto allowed = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '-';
+  };
+  if (settings.joint.empty() || !std::ranges::all_of(settings.joint, allowed))
+    throw std::runtime_error("export: the joint's name is \"" + settings.joint +
+                             "\"; use letters, digits, '_' and '-', as in ArmUpperR");
+  if (!(settings.p_register >= 1 && settings.p_register <= 254))
+    throw std::runtime_error("export: P register = " + shortest(settings.p_register) +
+                             "; 1 to 254 are allowed, and 32 is the servo's own");
+  const double step_s = settings.stepOf(target);
+  if (!(step_s >= 1e-5 && step_s <= 0.1))
+    throw std::runtime_error("export: a time step of " + shortest(step_s) + " s; 0.00001 to 0.1 s are allowed, and " +
+                             std::string{infoOf(target).title} + "'s usual one is " + shortest(infoOf(target).step_s) +
+                             " s");
+}
+
+void addLoss(Target target, const std::string& what, const Holding& holding, Export& out) {
+  const std::string title{infoOf(target).title}, how{holding.how};
+  if (holding.fate == Fate::kLost) out.lost.push_back(title + " loses " + what + ": " + how + ".");
+  if (holding.fate == Fate::kApproximated)
+    out.approximated.push_back(title + " approximates " + what + " as " + how + ".");
+}
 
 double JointText::ownInertia() const {
   constexpr double kLeast = 1e-9;  // kg m2; MuJoCo refuses bodies without
@@ -98,9 +98,9 @@ Export exportTo(Target target, const Hypothesis& hypothesis, const ExportSetting
   checkSettings(target, settings);
   Export out;
   for (const HoldingRow& row : numberHoldings())
-    if (row.applies(hypothesis)) report(target, std::string{row.what}, row.of(target), out);
+    if (row.applies(hypothesis)) addLoss(target, std::string{row.what}, row.of(target), out);
   for (const twin::EffectSetting& effect : hypothesis.effects)
-    if (!isNeutral(effect)) report(target, described(effect), holdingOf(*effect.info).of(target), out);
+    if (!isNeutral(effect)) addLoss(target, described(effect), holdingOf(*effect.info).of(target), out);
 
   JointText joint{.settings = settings,
                   .servo = numbersOf(hypothesis, settings.conditions()),

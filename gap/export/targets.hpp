@@ -29,6 +29,11 @@ struct Export {
 };
 
 /// Throws std::runtime_error for a name that the target could not read, and for an impossible P gain or step.
+void checkSettings(Target target, const ExportSettings& settings);
+/// A sentence for what the target does not hold.
+void addLoss(Target target, const std::string& what, const twin::Holding& holding, Export& out);
+
+/// Throws as checkSettings().
 Export exportTo(Target target, const Hypothesis& hypothesis, const ExportSettings& settings);
 
 }  // namespace darwinop::gap

@@ -25,6 +25,8 @@ struct JointText {
 };
 
 std::string webotsText(const JointText& joint, const WebotsFields& fields);
+/// Elements inside <actuator>.
+std::string mujocoActuators(const JointText& joint, const MujocoFields& fields);
 std::string mujocoText(const JointText& joint, const MujocoFields& fields);
 std::string urdfText(const JointText& joint, const UrdfFields& fields);
 
