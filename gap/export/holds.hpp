@@ -18,6 +18,7 @@ using twin::Holding;
 
 /// Name of the row of a servo whose P sets its duty.
 inline constexpr const char* kPOnTorque = "P on torque (law voltage_p)";
+inline constexpr std::string_view kArmature = "armature", kEncoderSteps = "encoder's steps";
 
 struct HoldingRow {
   std::string_view what;  // id of an effect, or "back EMF"

@@ -1,8 +1,11 @@
 #include "gap/export/body/body_holds.hpp"
 
+#include <memory>
+
 #include "gap/plant/hypothesis.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/servo/servo.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -15,6 +18,7 @@ constexpr Holding kOfSimulator = lost("it belongs to the simulator that reads th
 constexpr Holding kNoSensor = lost("the format has no sensor; set it in the program that reads the file");
 constexpr Holding kInProgram = lost("its sensor is ideal in this; change the readings in the controller");
 constexpr Holding kRelativeNoise = lost("the noise of a lookupTable is a share of the value; add it in the controller");
+constexpr Holding kOneHinge = lost("the body has one hinge a joint");
 constexpr Holding kNoBattery = lost("it has no supply voltage");
 constexpr Holding kNoHolding = lost("a motor without a command is limp");
 
@@ -63,6 +67,15 @@ constexpr KeyHolding kKeys[] = {
     {"imu", {"delay", ofSensor(kInProgram, kInProgram)}},
 };
 
+/// Of a number of the servo, where the file of a body differs from that of one joint.
+Holding holdingInBody(const HoldingRow& row, Target target) {
+  const Holding of_joint = row.of(target);
+  if (row.what == kEncoderSteps) return lost("no sensors of joints are written");
+  if (row.what == kArmature && of_joint.fate == Fate::kApproximated)
+    return lost("it is a comment at each joint; add it to the link's inertia, which then also resists other joints");
+  return of_joint;
+}
+
 /// [section] key = value of every key that is not as usual.
 std::vector<std::string> changedIn(const twin::Model& model, const KeyHolding& holding) {
   const twin::Model usual;
@@ -87,13 +100,20 @@ void addBodyLosses(Target target, const twin::Model& model, Export& out) {
     for (const std::string& what : changedIn(model, holding)) addLoss(target, what, holding.row.of(target), out);
   const Hypothesis servo{.servo = model.servo, .effects = {}, .pendulum = {}, .payload_scale = 1};
   for (const HoldingRow& row : numberHoldings())
-    if (row.applies(servo)) addLoss(target, std::string{row.what}, row.of(target), out);
+    if (row.applies(servo)) addLoss(target, std::string{row.what}, holdingInBody(row, target), out);
   for (const twin::EffectInfo* const info : twin::catalogue()) {
     std::string joints;
-    for (const twin::EffectSetting& effect : model.effects)
-      if (effect.info == info)
-        joints += (joints.empty() ? "" : ", ") + (effect.joint ? std::string{row(*effect.joint).name} : "all joints");
-    if (!joints.empty()) addLoss(target, std::string{info->id} + " (" + joints + ")", holdingOf(*info).of(target), out);
+    bool is_soft = false;
+    for (const twin::EffectSetting& effect : model.effects) {
+      if (effect.info != info) continue;
+      joints += (joints.empty() ? "" : ", ") + (effect.joint ? std::string{row(*effect.joint).name} : "all joints");
+      std::vector<std::unique_ptr<twin::Effect>> alone;
+      alone.push_back(info->make(effect.values));
+      is_soft = is_soft || twin::Servo{model.servo, std::move(alone)}.softGear();
+    }
+    if (joints.empty()) continue;
+    const Holding holding = is_soft && target == Target::kMujoco ? kOneHinge : holdingOf(*info).of(target);
+    addLoss(target, std::string{info->id} + " (" + joints + ")", holding, out);
   }
 }
 

@@ -31,6 +31,7 @@ std::string urdfBody(const BodyText& of, const std::vector<std::string>& comment
     const UrdfFields fields = urdfFields(of.servos[i]);
     const int joint = m.dof_jntid[of.map.dof[i]], parent = m.body_parentid[of.map.link[i]];
     const int body = of.map.link[i];
+    text += xmlComments({"armature: " + shortest(of.servos[i].armature_kgm2) + " kg m2"}, "  ");
     text += "  <joint name=\"" + std::string{kJointTable[i].name} + "\" type=\"revolute\">\n    <origin xyz=\"" +
             threeNumbers(m.body_pos + 3 * body) + "\" rpy=\"" + threeNumbers(rpyOf(m.body_quat + 4 * body).data()) +
             "\"/>\n    <parent link=\"" + mj_id2name(&m, mjOBJ_BODY, parent) + "\"/>\n    <child link=\"" +

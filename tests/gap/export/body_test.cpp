@@ -85,12 +85,14 @@ TEST(BodyForWebotsAndUrdf, HaveNumbersOfEachLinkAndJoint) {
 }
 
 TEST(BodyLosses, NameWhatIsNotHeldAndTheJointsOfAnEffect) {
-  const Export made = exportBody(Target::kMujoco,
-                                 robotWith("[imu]\ndelay = 0.02 s\n[effect stribeck Neck]\nfriction = 0.05 N m\n"
-                                           "speed = 0.2 rad/s\nexponent = 1\n"),
-                                 {});
+  const Export made =
+      exportBody(Target::kMujoco,
+                 robotWith("[imu]\ndelay = 0.02 s\n[effect stribeck Neck]\nfriction = 0.05 N m\n"
+                           "speed = 0.2 rad/s\nexponent = 1\n[effect backlash AnkleR]\nplay = 0.01 rad\n"),
+                 {});
   EXPECT_THAT(made.lost, Contains(HasSubstr("MuJoCo loses [imu] delay = 0.02 s")));
   EXPECT_THAT(made.lost, Contains(HasSubstr("stribeck (Neck)")));
+  EXPECT_THAT(made.lost, Contains(HasSubstr("backlash (AnkleR)")));
 }
 
 // A new key of a model file needs a row.
