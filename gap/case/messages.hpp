@@ -67,8 +67,14 @@ inline constexpr const char* kNoEncodingOf = "is not the name of an encoding";
 inline constexpr const char* kNotCount = " is a number that the register cannot hold";
 inline constexpr const char* kNotRegular = "it is not a regular file";
 inline constexpr const char* kOneInDegrees = "; one is in degrees, so name the column ";
+inline constexpr const char* kOtherSteps =
+    ": a share of the joint's range is not an angle, so multiply goals and positions by the range in rad; another "
+    "encoder "
+    "needs its ticks_per_rev";
 inline constexpr const char* kOutsideServoRange = ", outside the range of a servo (";
 inline constexpr const char* kRawCounts = "are these raw counts?";
+inline constexpr const char* kStepsOfTurns =
+    ", which are the encoder's in turns; multiply goals and positions by 360 and name the columns goal_deg and pos_deg";
 inline constexpr const char* kStuckDespiteLoad = "though the servo pushes hard both ways";
 inline constexpr const char* kStuckDespiteSpeed = "though the joint moves according to speed";
 inline constexpr const char* kStuckLikeLoad = "and so does load, though the goals require torque both ways";

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <set>
 
 #include "core/units.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/plausible.hpp"
+#include "gap/case/position_step.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -14,9 +16,9 @@ namespace {
 constexpr double kWindow = 0.02;                   // s; speeds over less are made of the encoder's steps
 constexpr double kTooFast = 4;                     // times the speed without load
 constexpr double kFallShare = 1.5;                 // of the speed of a free fall from the top
-constexpr double kOnGrid = 0.15;                   // of a step; files round to 0.1 mrad
 constexpr double kGridShare = 0.99;                // of the rows
 constexpr std::size_t kGridValues = 10;            // different positions that it takes to see a grid
+constexpr double kSameStep = 0.02;                 // of a step; a column of turns has 1 / ticks_per_rev
 constexpr double kMoved = 0.02;                    // rad, rms of a motion that can be compared
 constexpr double kSlopeLow = 40, kSlopeHigh = 80;  // about 180 / pi
 constexpr double kSpeedRatio = 4;                  // of register and differenced speed: rpm gives 9.5, degrees 57
@@ -62,29 +64,25 @@ void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
                    "the column speed_rpm or speed_deg_s, or leave it out");
 }
 
-/// Share of the positions that are a whole number of steps from the first.
-double onGrid(const std::vector<double>& positions, double step_rad) {
-  std::size_t on = 0;
-  for (const double position : positions) {
-    const double steps = (position - positions.front()) / step_rad;
-    if (std::abs(steps - std::nearbyint(steps)) <= kOnGrid) ++on;
-  }
-  return double(on) / double(positions.size());
-}
-
+/// A column on the grid of the encoder in another unit is in that unit. One on a grid of its own is a share of a range,
+/// as programs for grippers log it, or another encoder's.
 void checkGrid(const Trajectory& log, const std::string& file, Case& c) {
   std::vector<double> known = log.position_rad;
   std::erase_if(known, [](double position) { return std::isnan(position); });
   const std::set<double> values{known.begin(), known.end()};
   if (values.size() < kGridValues) return;
-  const double tick = 2 * kPi / c.model.servo.ticks_per_rev;
-  if (onGrid(known, tick) >= kGridShare) return;
-  if (onGrid(known, 360 / c.model.servo.ticks_per_rev) >= kGridShare)
-    throw BadInput(file + ": pos goes in steps of " + three(360 / c.model.servo.ticks_per_rev) +
+  const double turn = 1.0 / c.model.servo.ticks_per_rev, tick = 2 * kPi * turn;
+  if (shareOnGrid(known, tick) >= kGridShare) return;
+  if (shareOnGrid(known, 360 * turn) >= kGridShare)
+    throw BadInput(file + ": pos goes in steps of " + three(360 * turn) +
                    ", which are the encoder's in degrees; name the column pos_deg, and goal_deg likewise");
-  if (c.quantised)
-    c.warnings.push_back(file + ": pos does not go in steps of the encoder (" + three(tick * 1000) +
-                         " mrad); filtered or resampled logs hide what happened");
+  const std::optional<double> step = commonStep(known);
+  if (step && std::abs(*step / turn - 1) < kSameStep)
+    throw BadInput(file + ": pos goes in steps of " + three(*step) + messages::kStepsOfTurns);
+  if (!c.quantised) return;
+  const std::string steps_of = file + ": pos does not go in steps of the encoder (" + three(tick * 1000) + " mrad)";
+  c.warnings.push_back(step ? steps_of + " but of " + three(*step * 1000) + messages::kOtherSteps
+                            : steps_of + "; filtered or resampled logs hide what happened");
 }
 
 /// Positions against the goals that they follow.

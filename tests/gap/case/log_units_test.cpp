@@ -87,5 +87,34 @@ TEST(LogUnits, PositionsOffTheStepsOfTheEncoderAreOdd) {
                   .warnings.empty());
 }
 
+std::vector<CsvRow> scaled(std::vector<CsvRow> rows, double factor, double last_decimal) {
+  for (CsvRow& row : rows) {
+    row.goal = rounded(row.goal * factor, last_decimal), row.pos = rounded(row.pos * factor, last_decimal);
+    row.speed *= factor;
+  }
+  return rows;
+}
+
+// The jaw of an arm: 0 to 1 of 2.36 rad, rounded to 0.0001.
+TEST(LogUnits, AShareOfARangeHasStepsOfItsOwn) {
+  const Case c = CaseTexts{}.with(scaled(sineRows(), 1 / 2.36, 1e-4)).read();
+  ASSERT_EQ(c.warnings.size(), 1u);
+  EXPECT_THAT(c.warnings[0],
+              AllOf(StartsWith("my/fit_1.csv: pos does not go in steps of the encoder (1.53 mrad) but of "
+                               "0.65"),
+                    HasSubstr(messages::kOtherSteps)));
+}
+
+TEST(LogUnits, TheLastDecimalOfAFilteredLogIsNotAStep) {
+  const Case c = CaseTexts{}.with(scaled(sineRows(), 0.77, 1e-3)).read();
+  ASSERT_EQ(c.warnings.size(), 1u);
+  EXPECT_THAT(c.warnings[0], HasSubstr("filtered"));
+}
+
+TEST(LogUnits, PositionsInTurns) {
+  EXPECT_THAT(CaseTexts{}.with(scaled(sineRows(), 0.5 / kPi, 1e-7)).error(),
+              AllOf(StartsWith("my/fit_1.csv: pos goes in steps of 0.000244"), HasSubstr(messages::kStepsOfTurns)));
+}
+
 }  // namespace
 }  // namespace darwinop::gap
