@@ -94,7 +94,6 @@ std::vector<std::string> problemsOf(const logs::Log& recording, const std::strin
   if (!stuck.empty())
     out.push_back(text::listed(stuck) + " did not move; check cable and torque of " +
                   (stuck.size() == 1 ? "that servo" : "these servos"));
-  if (check.fell_at_s) out.push_back(text::formatted("the robot fell at %.1f s; set it up again", *check.fell_at_s));
   if (made.plan.up && check.greatest_rate_rad_s > kClampedRate)
     out.push_back(text::formatted("the trunk turned by %.2f rad/s although it is clamped; tighten the stand",
                                   check.greatest_rate_rad_s));

@@ -38,9 +38,10 @@ struct BodyLog {
   std::vector<double> time_s;          // from row 0
   AxesColumns gyro_rad_s, accel_m_s2;  // in the sensor's axes
   std::vector<double> board_v;
-  std::size_t lost_rows = 0;    // gaps in `cycle`
-  double from_s = 0, to_s = 0;  // what is used of the file, on its own clock
-  bool is_phase_known = true;   // the servos' firmware runs in step with the rows
+  std::size_t lost_rows = 0;        // gaps in `cycle`
+  double from_s = 0, to_s = 0;      // what is used of the file, on its own clock
+  std::optional<double> fell_at_s;  // on the floor: the robot falls here, and what follows is left out
+  bool is_phase_known = true;       // the servos' firmware runs in step with the rows
 
   [[nodiscard]] std::size_t rows() const { return time_s.size(); }
 };

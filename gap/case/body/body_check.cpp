@@ -9,8 +9,6 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kFallen = kPi / 3;              // rad of tilt against the start: no gait or squat comes near
-constexpr double kFallWindow = 0.2;              // s over which the accelerometer is averaged: footsteps are shorter
 constexpr double kUnmoved = 4 * 2 * kPi / 4096;  // rad: noise of an encoder is a tick
 constexpr double kIndependent = 0.3;             // sine of the least angle between directions of gravity
 
@@ -21,33 +19,8 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// Mean of each axis over the rows [from, to) that have one.
-Axes meanOf(const AxesColumns& columns, std::size_t from, std::size_t to) {
-  Axes mean{};
-  for (std::size_t axis = 0; axis < mean.size(); ++axis) {
-    double count = 0;
-    for (std::size_t row = from; row < to; ++row)
-      if (const double value = columns[axis][row]; !std::isnan(value)) mean[axis] += value, count += 1;
-    mean[axis] /= count;
-  }
-  return mean;
-}
-
 double dot(const Axes& a, const Axes& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-double angleBetween(const Axes& a, const Axes& b) {
-  return std::acos(std::clamp(dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)), -1.0, 1.0));
-}
-
-std::optional<double> fallIn(const BodyLog& log, double period_s) {
-  const auto window = std::max<std::size_t>(1, static_cast<std::size_t>(kFallWindow / period_s));
-  if (log.setup != BodySetup::kFloor || log.rows() < 2 * window) return std::nullopt;
-  const Axes start = meanOf(log.accel_m_s2, 0, window);
-  for (std::size_t row = window; row + window <= log.rows(); ++row)
-    if (angleBetween(start, meanOf(log.accel_m_s2, row, row + window)) > kFallen) return log.time_s[row];
-  return std::nullopt;
 }
 
 double greatestRate(const AxesColumns& gyro) {
@@ -82,7 +55,6 @@ BodyLogCheck checkOf(const BodyCase& given, std::size_t i) {
     }
     if (high - low < kUnmoved) out.unmoved.push_back(kJointTable[j].name);
   }
-  out.fell_at_s = fallIn(log, out.period_s);
   out.greatest_rate_rad_s = greatestRate(log.gyro_rad_s);
   return out;
 }
@@ -113,9 +85,6 @@ BodyCheck checkData(const BodyCase& given) {
   for (std::size_t i = 0; i < given.logs.size(); ++i) {
     const BodyLog& log = given.logs[i];
     const BodyLogCheck& check = out.logs.emplace_back(checkOf(given, i));
-    if (check.fell_at_s)
-      out.warnings.push_back(log.file + ": the robot falls at " + std::to_string(*check.fell_at_s) +
-                             " s; cut the recording there");
     if (log.up && check.greatest_rate_rad_s > kClampedRate)
       out.warnings.push_back(log.file + ": the trunk turns by " + std::to_string(check.greatest_rate_rad_s) +
                              " rad/s although it is clamped; was it held by hand?");

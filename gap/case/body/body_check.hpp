@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,6 @@ struct BodyLogCheck {
   std::vector<std::string_view> limp;     // joints that are limp in some row
   std::vector<std::string_view> unmoved;  // joints whose position never changes by more than some ticks
   std::size_t unanswered = 0;             // positions that are not known, of all joints
-  std::optional<double> fell_at_s;        // floor: from here on gravity is more than kFallen away from the start
   double greatest_rate_rad_s = 0;         // of the gyroscope's axes about their median
 };
 

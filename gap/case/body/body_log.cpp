@@ -1,6 +1,7 @@
 // The rows of one recording of a whole robot.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "core/conversions.hpp"
@@ -8,6 +9,7 @@
 #include "core/servo_limits.hpp"
 #include "core/units.hpp"
 #include "gap/case/bad_rows.hpp"
+#include "gap/case/body/fall.hpp"
 #include "gap/case/body/parse_body_case.hpp"
 #include "gap/case/servo_columns.hpp"
 #include "gap/case/wire_schedule.hpp"
@@ -88,11 +90,8 @@ double inTicks(double goal_rad) {
   return radFromTicks(ticksFromRad(Rad{goal_rad})).value;
 }
 
-/// The rows that the case declares: the log is shorter then.
-logs::Log cutToSize(logs::Log log, const BodyLog& head) {
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < log.rows(); ++row)
-    if (log.seconds(row) >= head.from_s && log.seconds(row) <= head.to_s) rows.push_back(row);
+/// The log of these rows alone.
+logs::Log withRows(logs::Log log, const std::vector<std::size_t>& rows) {
   if (rows.size() == log.rows()) return log;
   const auto keep = [&rows](auto& values) {
     for (std::size_t i = 0; i < rows.size(); ++i) values[i] = values[rows[i]];
@@ -101,6 +100,31 @@ logs::Log cutToSize(logs::Log log, const BodyLog& head) {
   for (logs::Column& column : log.columns) keep(column.values);
   keep(log.lines);
   return log;
+}
+
+/// The rows that the case declares: the log is shorter then.
+logs::Log cutToSize(logs::Log log, const BodyLog& head) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < log.rows(); ++row)
+    if (log.seconds(row) >= head.from_s && log.seconds(row) <= head.to_s) rows.push_back(row);
+  return withRows(std::move(log), rows);
+}
+
+AxesColumns accelerometerOf(const logs::Log& log) {
+  return axesOf(log, "accelerometer", "m/s2", kHardest);
+}
+
+/// The rows before a fall; `fell_at_s` is set if there is one.
+logs::Log cutAtFall(logs::Log log, BodyLog& head) {
+  if (head.setup != BodySetup::kFloor) return log;
+  std::vector<double> time_s;
+  for (std::size_t row = 0; row < log.rows(); ++row) time_s.push_back(log.seconds(row) - log.seconds(0));
+  const std::optional<std::size_t> fall = rowOfFall(time_s, accelerometerOf(log));
+  if (!fall) return log;
+  head.fell_at_s = time_s[*fall];
+  std::vector<std::size_t> rows(std::max(*fall, kFewestRows));
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return withRows(std::move(log), rows);
 }
 
 Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
@@ -134,14 +158,15 @@ Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
 }  // namespace
 
 void fillBodyLog(const logs::Log& file, BodyLog& log, std::vector<Trajectory>& joints) {
-  const logs::Log recording = cutToSize(file, log);
+  logs::Log recording = cutToSize(file, log);
   if (recording.rows() < kFewestRows)
     throw BadInput(recording.file + ": " + std::to_string(recording.rows()) + " rows, and a log needs at least " +
                    std::to_string(kFewestRows) + "; record for longer");
+  recording = cutAtFall(std::move(recording), log);
   for (std::size_t row = 0; row < recording.rows(); ++row)
     log.time_s.push_back(recording.seconds(row) - recording.seconds(0));
   log.gyro_rad_s = axesOf(recording, "gyro", "rad/s", kFastest);
-  log.accel_m_s2 = axesOf(recording, "accelerometer", "m/s2", kHardest);
+  log.accel_m_s2 = accelerometerOf(recording);
   log.board_v = sensorColumn(recording, "board.voltage", "V").values;
   log.lost_rows = lostRows(recording);
   for (std::size_t joint = 0; joint < kJoints; ++joint)

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/text/formatted.hpp"
 #include "gap/case/fields.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
@@ -140,6 +141,9 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
     const logs::Log recording = loadLog(files, log.file);
     out.warnings.insert(out.warnings.end(), recording.warnings.begin(), recording.warnings.end());
     fillBodyLog(recording, log, out.joints.logs);
+    if (log.fell_at_s)
+      out.warnings.push_back(log.file +
+                             text::formatted(": the robot falls at %.2f s; what follows is left out", *log.fell_at_s));
   }
   out.joints.name = out.name;
   out.joints.folder = out.folder;

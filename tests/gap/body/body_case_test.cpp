@@ -118,15 +118,23 @@ TEST(BodyCheck, RowsThatAreLostAreReported) {
   EXPECT_THAT(check.warnings, ElementsAre(HasSubstr("face.csv")));
 }
 
-TEST(BodyCheck, AFallAndAClampedTrunkThatTurnsAreReported) {
+TEST(BodyCase, AFallAndWhatFollowsAreLeftOut) {
   SyntheticRobot robot;
   robot.falls = true;
   const BodyCase fallen = BodyTexts{robot}.read();
-  const BodyCheck check = checkData(fallen);
-  ASSERT_TRUE(check.logs[4].fell_at_s);  // on the floor
-  EXPECT_NEAR(*check.logs[4].fell_at_s, 80 * 0.016, 0.2);
-  EXPECT_FALSE(check.logs[0].fell_at_s);  // clamped
-  EXPECT_THAT(check.warnings, ElementsAre(HasSubstr("floor.csv")));
+  const BodyLog& log = fallen.logs[4];  // on the floor
+  ASSERT_TRUE(log.fell_at_s);
+  EXPECT_NEAR(*log.fell_at_s, 80 * 0.016, 0.2);
+  EXPECT_LT(log.time_s.back(), *log.fell_at_s);
+  EXPECT_EQ(log.accel_m_s2[0].size(), log.rows());
+  EXPECT_EQ(fallen.joint(4, 0).rows(), log.rows());
+  EXPECT_FALSE(fallen.logs[0].fell_at_s);  // clamped
+  EXPECT_EQ(fallen.logs[0].rows(), 160u);
+  EXPECT_THAT(fallen.warnings, ElementsAre(HasSubstr("floor.csv: the robot falls at 1.")));
+  EXPECT_EQ(checkData(fallen).warnings, fallen.warnings);
+}
+
+TEST(BodyCheck, AClampedTrunkThatTurnsIsReported) {
   BodyCase held = BodyTexts{}.read();
   held.logs[2].gyro_rad_s[1][30] = 1.5;
   EXPECT_THAT(checkData(held).warnings, ElementsAre(HasSubstr("side.csv")));
