@@ -67,6 +67,16 @@ TEST(Stance, AScaleThatThisRobotDoesNotHaveIsRefuted) {
   EXPECT_TRUE(stance.refutes(scaled));
 }
 
+TEST(Stance, NoFootStandsWhileTheRobotTipsOver) {
+  BodyCase given = standingRobot(shippedOnFloor());
+  const MovingImu imu{given.joints.model};
+  const auto rows = [&] { return StanceGyro{given, imu, {0}, {0.02, 0.02, 0.02}}.rows(); };
+  const std::size_t all = rows();
+  ASSERT_EQ(all, given.logs[0].rows());
+  given.logs[0].fell_at_s = given.logs[0].time_s.back();
+  EXPECT_NEAR(static_cast<double>(all - rows()), 0.5 / 0.016, 1);
+}
+
 // Robots of another simulator, in which the gyroscope has at most a bias or a turned board.
 TEST(Stance, ExampleCasesWithoutSuchAnEffectHaveNoName) {
   if (!std::filesystem::exists(sharedData("body-gap-cases"))) GTEST_SKIP() << "no example cases";
