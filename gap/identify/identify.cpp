@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "gap/identify/assessment.hpp"
 #include "gap/identify/cross_validation.hpp"
 #include "gap/identify/rough_selection.hpp"
 #include "gap/identify/selection.hpp"
@@ -52,14 +53,21 @@ Effects inTheFirmware(const Effects& effects) {
   return firmware;
 }
 
+/// Where an arm may get stuck or not, so much counts as noise that an effect at the end of its range leaves nothing
+/// else.
+bool standsForSomethingElse(const FittedModel& found) {
+  return std::ranges::any_of(found.effects,
+                             [&](const ChosenEffect& effect) { return isAtItsBound(found, *effect.info); });
+}
+
 Identification identifyOnRoughBaseline(const Study& study, const IdentifyOptions& options) {
   options.progress("roughly known motor: numbers of the baseline move within their priors");
   IdentifyOptions few = options;
   few.most_effects = 2;
   Selection free{study, few, Nuisance::kFree};
   free.run();
-  if (free.leavesNoise()) return free.result();
-  options.progress("the residual is not noise: selecting effects by cross-validation");
+  if (free.leavesNoise() && !standsForSomethingElse(free.model())) return free.result();
+  options.progress("no effect explains the residual: selecting effects by cross-validation");
   RoughSelection rough{study, options, inTheFirmware(free.model().effects), free.model()};
   rough.run();
   return rough.result();

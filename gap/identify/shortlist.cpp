@@ -7,6 +7,7 @@
 #include <set>
 
 #include "gap/identify/ripple_starts.hpp"
+#include "gap/identify/rough_selection.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"
 
@@ -17,13 +18,14 @@ struct ShortlistEntry {
   const twin::EffectInfo* effect = nullptr;
   Eigen::VectorXd start;
   double predicted_gain = 0;
+  bool refined = false;  // the secondary parameters are free as well
   std::optional<Problem> problem = std::nullopt;
   Fit fit = {};
 };
 
-Effects withOneMore(const FittedModel& present, const twin::EffectInfo& effect) {
+Effects withOneMore(const FittedModel& present, const twin::EffectInfo& effect, bool refined = false) {
   Effects effects = present.effects;
-  effects.push_back({&effect});
+  effects.push_back({&effect, refined});
   return effects;
 }
 
@@ -119,6 +121,24 @@ void fitAll(const FittedModel& present, std::vector<ShortlistEntry>& entries) {
                    [](const ShortlistEntry& a, const ShortlistEntry& b) { return a.fit.cost < b.fit.cost; });
 }
 
+/// The secondary parameters of an effect are free where they gain as much as an effect of its kind has to gain.
+void freeSecondaryParameters(const FittedModel& present, std::vector<ShortlistEntry>& entries) {
+  forEach(entries.size(), [&](std::size_t i) {
+    ShortlistEntry& entry = entries[i];
+    if (unknownsOf(*entry.effect, true).size() == unknownsOf(*entry.effect).size()) return;
+    Problem finer =
+        problemWith(*present.study, *present.evidence, withOneMore(present, *entry.effect, true), present.nuisance);
+    const SolveOptions few{.iterations = thresholds::kShortlistIterations, .refine = false};
+    entry.fit = solve(*entry.problem, entry.fit.x, few);  // else it is the iterations that gain
+    Fit fit = solve(finer, startFrom(finer, *entry.problem, entry.fit.x), few);
+    if (entry.fit.cost - fit.cost < leastRoughGain(*entry.effect)) return;
+    entry.refined = true;
+    entry.problem.emplace(std::move(finer));
+    entry.fit = std::move(fit);
+  });
+  std::ranges::stable_sort(entries, {}, [](const ShortlistEntry& entry) { return entry.fit.cost; });
+}
+
 /// The best fit, and of each other effect near it its best fit; at most thresholds::kComparedModels.
 std::vector<const ShortlistEntry*> nearBest(const FittedModel& present, const std::vector<ShortlistEntry>& entries) {
   const double least = entries.front().fit.cost;
@@ -138,8 +158,8 @@ FittedModel refitEntry(const FittedModel& present, const ShortlistEntry& entry) 
 }
 
 FittedModel entryUnderNoiseOf(const FittedModel& reference, const FittedModel& present, const ShortlistEntry& entry) {
-  return refitUnderNoiseOf(withOneMore(present, *entry.effect), present.nuisance, *entry.problem, entry.fit, reference,
-                           true);
+  return refitUnderNoiseOf(withOneMore(present, *entry.effect, entry.refined), present.nuisance, *entry.problem,
+                           entry.fit, reference, true);
 }
 
 bool hasMoreEvidence(const FittedModel& a, const FittedModel& b) {
@@ -187,6 +207,7 @@ std::vector<FittedModel> shortlist(const FittedModel& present, const Screen& scr
   std::vector<ShortlistEntry> entries = refinedStarts(screen, promising(screen, {}, thresholds::kRefinedEffectsRough));
   fitAll(present, entries);
   keepBestStarts(entries);
+  freeSecondaryParameters(present, entries);
   keepFirst(thresholds::kFittedEffects, entries);
   std::vector<FittedModel> fitted;
   fitted.reserve(entries.size());

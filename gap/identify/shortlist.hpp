@@ -12,7 +12,8 @@ namespace darwinop::gap {
 std::vector<FittedModel> fitCandidates(const FittedModel& present, const Screen& screen,
                                        const std::vector<const twin::EffectInfo*>& only = {});
 
-/// The effects that fit best under the noise of `present`, best first, however far behind the best one.
+/// On a roughly known baseline: the effects that fit best under the noise of `present`, best first, however far behind
+/// the best one; with their secondary parameters where these earn their place.
 std::vector<FittedModel> shortlist(const FittedModel& present, const Screen& screen);
 
 }  // namespace darwinop::gap
