@@ -72,7 +72,7 @@ bool RoughSelection::worsensHeldOut(const FittedModel& with) const {
 }
 
 bool RoughSelection::addRareEffect() {
-  const std::vector<FittedModel> candidates = shortlist(model_, Screen{model_, candidates_});
+  const std::vector<FittedModel> candidates = shortlist(model_, Screen{model_, candidates_}, true);
   std::vector<Tested> helping = testRareEffects(candidates);
   std::ranges::stable_sort(helping, std::greater{}, [](const Tested& one) { return one.validation.mean; });
   const auto may_be_added = [&](const Tested& one) { return one.validation.improves() && !worsensHeldOut(*one.model); };

@@ -203,11 +203,11 @@ std::vector<FittedModel> fitCandidates(const FittedModel& present, const Screen&
   return rank(present, nearBest(present, entries));
 }
 
-std::vector<FittedModel> shortlist(const FittedModel& present, const Screen& screen) {
+std::vector<FittedModel> shortlist(const FittedModel& present, const Screen& screen, bool refined) {
   std::vector<ShortlistEntry> entries = refinedStarts(screen, promising(screen, {}, thresholds::kRefinedEffectsRough));
   fitAll(present, entries);
   keepBestStarts(entries);
-  freeSecondaryParameters(present, entries);
+  if (refined) freeSecondaryParameters(present, entries);
   keepFirst(thresholds::kFittedEffects, entries);
   std::vector<FittedModel> fitted;
   fitted.reserve(entries.size());

@@ -20,7 +20,7 @@ bool isRefined(double slow) {
   const Case given = measured(bench, truth, 32);
   const Study study{given, fewRuns()};
   const FittedModel bare = refitWithDiscrepancy({}, baselineAlone(study, Nuisance::kFree));
-  const std::vector<FittedModel> found = shortlist(bare, Screen{bare, {&effect}});
+  const std::vector<FittedModel> found = shortlist(bare, Screen{bare, {&effect}}, true);
   return found.size() == 1 && found.front().effects.back().refined;
 }
 
