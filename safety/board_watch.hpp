@@ -20,10 +20,8 @@ class BoardWatch {
   /// Once a cycle. `waits`: the robot waits for a person; only then does START count.
   void update(const Sensors& seen, bool waits, Nanos dt) noexcept;
 
-  /// Goals go out to these joints.
-  void noteGoals(const std::bitset<kJoints>& driven) noexcept {
-    if (absent_) supply_.noteGoals(driven);
-  }
+  /// Without a board: goals go out to these joints.
+  void noteGoals(const std::bitset<kJoints>& written) noexcept { supply_.noteGoals(written); }
 
   /// There is no board: the functions below that name it are about the servo that is read first.
   [[nodiscard]] bool absent() const noexcept { return absent_; }

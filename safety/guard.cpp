@@ -49,7 +49,7 @@ SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
   changeState(seen, dt);
   for (JointGuard& joint : joints_) joint.engage(drives(state_) && board_.powered());
   SafeCommands safe = compose(dt);
-  board_.noteGoals(safe.driven_);
+  if (board_.absent() && safe.write_ == SafeCommands::Write::kGoals) board_.noteGoals(safe.driven_ & ~safe.skipped_);
   if (board_.online()) safe.led_ = limitLed(asked.led);
   safe.power_on_ = board_.wantsPower();
   writeReport();

@@ -29,9 +29,9 @@ void SupplyWatch::update(const Sensors& seen, Nanos dt) noexcept {
 }
 
 /// A reply that was missed before shows nothing about what is written now.
-void SupplyWatch::noteGoals(const std::bitset<kJoints>& driven) noexcept {
-  missed_ &= ~driven | limited_;
-  limited_ |= driven;
+void SupplyWatch::noteGoals(const std::bitset<kJoints>& written) noexcept {
+  missed_ &= ~written | limited_;
+  limited_ |= written;
 }
 
 /// A starting servo has neither torque nor a speed limit, and no goal without one is ever written. It boots for 0.2 s,
@@ -41,8 +41,9 @@ void SupplyWatch::notePoll(std::size_t joint, const JointSensors& seen) noexcept
   if (seen.speed_limit.value > 0 || seen.torque_enabled) {
     limited_.set(joint);
     missed_.reset(joint);
-  } else if (limited_[joint] && missed_[joint]) {
+  } else if (limited_[joint]) {
     limited_.reset(joint);
+    if (!missed_[joint]) return;  // the goal was lost
     restarted_.set(joint);
     restarted_now_ = true;
     since_restart_ = Nanos{0};

@@ -18,8 +18,9 @@ class SupplyWatch {
   /// Once in each cycle in which the bus answers or is missed.
   void update(const Sensors& seen, Nanos dt) noexcept;
 
-  /// Goals go out to these joints, and with each a speed limit: it need not have been seen.
-  void noteGoals(const std::bitset<kJoints>& driven) noexcept;
+  /// Goals go out to these joints, and with each a speed limit, which need not have been seen. A disturbance that
+  /// swallows the first goals and the replies of that cycle looks like an interruption.
+  void noteGoals(const std::bitset<kJoints>& written) noexcept;
 
   /// True in a cycle in which at least half of the servos that had a speed limit are known to have restarted within
   /// kTogether. Fewer are a matter of their joints (JointGuard): a connector of one limb is loose.
@@ -40,8 +41,8 @@ class SupplyWatch {
   void notePoll(std::size_t joint, const JointSensors& seen) noexcept;
   void measureVoltage(const Sensors& seen) noexcept;
 
-  Joints limited_;    // have a speed limit or torque: neither comes by itself after a start
-  Joints missed_;     // of these, those that missed a reply since
+  Joints limited_;    // have a speed limit or torque, or were sent a goal: a start leaves nothing of these
+  Joints missed_;     // missed a reply since the last poll that showed it, or since the first goal
   Joints restarted_;  // within kTogether
   Nanos since_restart_{0};
   bool restarted_now_ = false, polled_now_ = false, interrupted_now_ = false;

@@ -91,7 +91,7 @@ inline watch_supply() {
   if
   :: !fresh -> missed_since = 1
   :: fresh && looked && (stiff || !reset_seen) -> limited = 1; missed_since = 0
-  :: fresh && looked && !stiff && reset_seen && limited && missed_since -> limited = 0; lost_now = by_supply
+  :: fresh && looked && !stiff && reset_seen && limited -> limited = 0; lost_now = missed_since && by_supply
   :: else -> skip
   fi
 }

@@ -92,6 +92,10 @@ TEST_F(Servos, ThatRestartRightAfterTheirFirstGoalCount) {
   EXPECT_FALSE(fresh.interruptedNow()) << "the goal was lost; the reply was missed before it";
   cycle(false);
   cycle(true);
+  EXPECT_FALSE(fresh.interruptedNow()) << "no goal has arrived";
+  fresh.noteGoals(std::bitset<kJoints>{}.set());
+  cycle(false);
+  cycle(true);
   EXPECT_TRUE(fresh.interruptedNow());
 }
 
