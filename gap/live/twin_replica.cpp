@@ -9,8 +9,9 @@
 namespace darwinop::gap::live {
 namespace {
 
-twin::Model withoutNoise(twin::Model model) {
-  model.imu.gyro_noise_rad_s = model.imu.accel_noise_m_s2 = 0;
+/// Noise differs each time, and the voltage that the robot measures has sagged already.
+twin::Model withoutNoiseAndSag(twin::Model model) {
+  model.imu.gyro_noise_rad_s = model.imu.accel_noise_m_s2 = model.body.battery_resistance_ohm = 0;
   return model;
 }
 
@@ -39,7 +40,7 @@ std::int64_t beginOf(const Sensors& seen) {
 TwinReplica::TwinReplica(twin::Model model, Support support) : support_{support} {
   twin::RobotBodyOptions options{.ball = twin::Ball::kNone};
   if (support == Support::kClamped) options.clamped_up = twin::ClampedUp{0, 1, 0};
-  body_ = std::make_unique<twin::RobotBody>(withoutNoise(std::move(model)), options);
+  body_ = std::make_unique<twin::RobotBody>(withoutNoiseAndSag(std::move(model)), options);
 }
 
 bool TwinReplica::place(const LiveCycle& cycle, const std::array<double, kJoints>& pose_rad, const Axes& up) {
