@@ -36,7 +36,8 @@ std::vector<Point> pointsOf(const BodyCase& given) {
       double drawn = 0;
       for (std::size_t joint = 0; joint < kJoints; ++joint)
         drawn += drawnBy(given, given.joint(log, joint), row, of.board_v[row]);
-      const Point point{drawn, of.battery_v - of.board_v[row]};
+      const double own_v = given.joints.model.body.battery_resistance_ohm * drawn;  // found is what is beyond it
+      const Point point{drawn, of.battery_v - of.board_v[row] - own_v};
       if (std::isfinite(point.drawn_a) && std::isfinite(point.sag_v)) out.push_back(point);
     }
   }

@@ -149,6 +149,9 @@ TEST(BodyFloor, TheResistanceOfABatteryIsNamedByTheVoltageOfTheBoard) {
   for (BodyLog& log : low.logs)
     for (double& volt : log.board_v) volt -= 0.4;
   EXPECT_FALSE(identifyBattery(low));
+  BodyCase known = withBattery(0.5);
+  known.joints.model.body.battery_resistance_ohm = 0.5;
+  EXPECT_FALSE(identifyBattery(known)) << "the model has it";
 }
 
 TEST(BodyFloor, WithoutSuchARecordingNothingIsLookedFor) {
