@@ -7,6 +7,7 @@
 
 #include "twin/body/imu_axes.hpp"
 #include "twin/body/mujoco_model.hpp"
+#include "twin/body/sensor_lag.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -59,6 +60,21 @@ Eigen::MatrixX3d atCycles(const Eigen::MatrixX3d& rows, const std::vector<double
     out.row(cycle) = rows.row(after - 1) + share * (rows.row(after) - rows.row(after - 1));
   }
   return out;
+}
+
+/// As the model's own sensor has the rates of each cycle, without noise and limit.
+void sense(const twin::ImuSettings& imu, double period_s, Eigen::MatrixX3d& rates) {
+  twin::SensorLag lag{period_s, imu.gyro_lowpass_s, imu.delay_s};
+  for (Eigen::Index cycle = 0; cycle < rates.rows(); ++cycle) {
+    const twin::SensorLag::Values rate{rates(cycle, 0), rates(cycle, 1), rates(cycle, 2)};
+    if (cycle == 0)
+      lag.fill(rate);
+    else
+      lag.next(rate);
+    const twin::SensorLag::Values sensed = lag.now();
+    for (std::size_t i = 0; i < sensed.size(); ++i)
+      rates(cycle, static_cast<Eigen::Index>(i)) = imu.gyro_scale[i] * sensed[i] + imu.gyro_bias_rad_s[i];
+  }
 }
 
 }  // namespace
@@ -119,6 +135,7 @@ std::array<StanceRates, 2> stanceRates(const BodyCase& given, std::size_t log) {
   for (std::size_t foot = 0; foot < 2; ++foot) {
     FloorTrace& trace = out[foot].trace;
     trace.gyro_rad_s = atCycles(rates[foot], time, period, period, lead, cycles);
+    sense(model.imu, period, trace.gyro_rad_s);
     trace.accel_m_s2.setZero(cycles, 3);
     for (const double at : time)
       trace.cycle_of_row.push_back(lead + static_cast<Eigen::Index>(std::lround(at / period)));

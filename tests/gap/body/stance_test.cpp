@@ -58,6 +58,17 @@ TEST(Stance, AFilterADelayALimitAndAReversedAxisAreDistinguished) {
   EXPECT_EQ(onAnotherFloor(reversed).id, "gyro_axes");
 }
 
+TEST(Stance, WhatTheModelHasAlreadyIsNotFoundAgain) {
+  FloorModel slow = shippedOnFloor(), late = slow, scaled = slow;
+  slow.imu.lowpass_s = 0.03, late.imu.delay_s = 0.04, scaled.imu.gyro.scale = {1, 1.15, 1};
+  BodyCase of_slow = standingRobot(slow), of_late = standingRobot(late), of_scaled = standingRobot(scaled);
+  of_slow.joints.model.imu.gyro_lowpass_s = 0.03;
+  of_late.joints.model.imu.delay_s = 0.04;
+  of_scaled.joints.model.imu.gyro_scale = {1, 1.15, 1};
+  for (const BodyCase* const of : {&of_slow, &of_late, &of_scaled})
+    EXPECT_EQ(stanceAnswer(*of, shippedOnFloor()).id, "none");
+}
+
 TEST(Stance, AScaleThatThisRobotDoesNotHaveIsRefuted) {
   const BodyCase given = standingRobot(shippedOnFloor());
   const MovingImu imu{given.joints.model};
