@@ -62,12 +62,18 @@ TwinAxes turned(const TwinAxes& first, const Eigen::Vector3d& second) {
 }
 
 void changeImu(ModelWith& into, const ImuDeviation& by) {
+  const twin::ImuSettings neutral;
   twin::ImuSettings& imu = into.model.imu;
+  if (!by.gyro.map.isIdentity() &&
+      (imu.gyro_scale != neutral.gyro_scale || imu.gyro_bias_rad_s != neutral.gyro_bias_rad_s))
+    into.conflicts.emplace_back(
+        "gyro_axes: [imu] gyro_scale and gyro_bias of the model are of other axes then; exchange the axes by hand");
+  else
+    imu.gyro_axes = mapped(imu.gyro_axes, by.gyro.map);
   imu.gyro_bias_rad_s = asAxes(asVector(imu.gyro_bias_rad_s) + by.gyro.bias);
   imu.accel_bias_m_s2 = asAxes(asVector(imu.accel_bias_m_s2) + by.accel.bias);
   imu.gyro_scale = asAxes(asVector(imu.gyro_scale).cwiseProduct(by.gyro.scale));
   imu.accel_scale = asAxes(asVector(imu.accel_scale).cwiseProduct(by.accel.scale));
-  imu.gyro_axes = mapped(imu.gyro_axes, by.gyro.map);
   imu.accel_axes = mapped(imu.accel_axes, by.accel.map);
   imu.mounting_rad = turned(imu.mounting_rad, by.accel.rotation);
   imu.gyro_range_rad_s = std::min(imu.gyro_range_rad_s, by.range_rad_s);

@@ -118,6 +118,17 @@ TEST(BodyAdditions, TwoFiltersOfOneSensorAreAConflict) {
   EXPECT_EQ(withAdditions(one, again.additions), one);
 }
 
+TEST(BodyAdditions, ExchangedAxesOfAGyroscopeWhoseScaleTheModelHasAreAConflict) {
+  const std::string scale = R"({"id": "gyro_scale", "at": "gyro", "params": {"scale": [1.1, 1, 1]}})";
+  const std::string map = R"({"id": "gyro_axes", "at": "gyro", "params": {"map": [2, 1, 3]}})";
+  const std::string one = withAdditions(kModel, added(scale).additions);
+  const BodyAdditions again = bodyAdditionsIn(R"({"case": "c", "verdict": "named", "effects": [)" + map + "]}",
+                                              "report.json", "c", twin::parseModel(one, "m"));
+  ASSERT_THAT(again.left_out, SizeIs(1));
+  EXPECT_THAT(again.left_out.front(), HasSubstr("gyro_axes"));
+  EXPECT_EQ(withAdditions(one, again.additions), one);
+}
+
 TEST(BodyAdditions, AnEffectThatDoesNotExistIsRefusedByItsName) {
   try {
     (void)added(R"({"id": "gyro_bais", "at": "gyro", "params": {"bias": [0, 0, 0]}})");
