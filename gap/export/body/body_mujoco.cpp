@@ -54,6 +54,7 @@ std::string mujocoBody(const BodyText& of, const std::vector<std::string>& comme
     const twin::MountingQuaternion mounted = twin::mountedAt(m.site_quat + 4 * site, of.model.imu);
     std::ranges::copy(mounted, m.site_quat + 4 * site);
   }
+  if (of.model.imu.gyro_noise_rad_s > 0 || of.model.imu.accel_noise_m_s2 > 0) m.opt.enableflags |= mjENBL_SENSORNOISE;
   std::string text = savedXml(m);
   const std::string added = "  <actuator>\n" + actuators + "  </actuator>\n" + sensorsOf(of.model.imu);
   text.insert(text.rfind("</mujoco>"), added);
