@@ -86,7 +86,7 @@ void VirtualBoard::sagSupply() noexcept {
     if (servos_[i].state().pulls()) load += std::abs(body_.state().joint[i].load) / kJoints;
   rail_v_ = std::max(0.0, supply_v_ - sag_v_ * load);
   for (VirtualServo& s : servos_) s.setSupply(rail_v_);
-  if (rail_v_ >= kBrownOutV) return;
+  if (rail_v_ - body_.state().battery_drop_v >= kBrownOutV) return;
   for (VirtualServo& s : servos_) s.powerDown();
   afterBoardWrite();  // without load the supply recovers
 }

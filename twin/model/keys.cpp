@@ -116,7 +116,7 @@ constexpr KeyRow kTable[] = {
      ofBody<&B::battery_resistance_ohm>,
      {"ohm", 0, 2},
      {},
-     "of battery and cables that all servos share"},
+     "of battery and cables that all servos share; law voltage_p"},
     {"body", "step", ofBody<&B::step_s>, {"s", 5e-5, 0.01}, {}, "of the physics"},
 
     {"imu", "gyro_range", ofImu<&I::gyro_range_rad_s>, {"rad/s", 0.05, 100}, {}, "saturates there"},
