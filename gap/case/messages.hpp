@@ -69,8 +69,7 @@ inline constexpr const char* kNotRegular = "it is not a regular file";
 inline constexpr const char* kOneInDegrees = "; one is in degrees, so name the column ";
 inline constexpr const char* kOtherSteps =
     ": a share of the joint's range is not an angle, so multiply goals and positions by the range in rad; another "
-    "encoder "
-    "needs its ticks_per_rev";
+    "encoder needs its ticks_per_rev";
 inline constexpr const char* kOutsideServoRange = ", outside the range of a servo (";
 inline constexpr const char* kRawCounts = "are these raw counts?";
 inline constexpr const char* kStepsOfTurns =

@@ -80,8 +80,8 @@ void checkGrid(const Trajectory& log, const std::string& file, Case& c) {
   if (step && std::abs(*step / turn - 1) < kSameStep)
     throw BadInput(file + ": pos goes in steps of " + three(*step) + messages::kStepsOfTurns);
   if (!c.quantised) return;
-  const std::string steps_of = file + ": pos does not go in steps of the encoder (" + three(tick * 1000) + " mrad)";
-  c.warnings.push_back(step ? steps_of + " but of " + three(*step * 1000) + messages::kOtherSteps
+  const std::string steps_of = file + ": pos does not go in steps of the encoder (" + three(tick) + " rad)";
+  c.warnings.push_back(step ? steps_of + " but of " + three(*step) + messages::kOtherSteps
                             : steps_of + "; filtered or resampled logs hide what happened");
 }
 

@@ -53,8 +53,8 @@ Effects inTheFirmware(const Effects& effects) {
   return firmware;
 }
 
-/// Where an arm may get stuck or not, so much counts as noise that an effect at the end of its range leaves nothing
-/// else.
+/// True if an effect is at the end of its range. Where an arm may get stuck or not, so much counts as noise that it
+/// can leave nothing else.
 bool standsForSomethingElse(const FittedModel& found) {
   return std::ranges::any_of(found.effects,
                              [&](const ChosenEffect& effect) { return isAtItsBound(found, *effect.info); });
