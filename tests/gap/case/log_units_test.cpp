@@ -79,7 +79,7 @@ TEST(LogUnits, PositionsOffTheStepsOfTheEncoderAreOdd) {
   for (CsvRow& row : rows) row.pos += 0.01 * row.goal;
   const Case c = CaseTexts{}.with(rows).read();
   ASSERT_EQ(c.warnings.size(), 1u);
-  EXPECT_THAT(c.warnings[0], HasSubstr("my/fit_1.csv: pos does not go in steps of the encoder (1.53 mrad)"));
+  EXPECT_THAT(c.warnings[0], HasSubstr("my/fit_1.csv: pos does not go in steps of the encoder (0.00153 rad)"));
   EXPECT_TRUE(CaseTexts{}
                   .with(rows)
                   .with("\"firmware_dt_s\": 0.001", "\"firmware_dt_s\": 0.001, \"position_in_ticks\": false")
@@ -100,8 +100,8 @@ TEST(LogUnits, AShareOfARangeHasStepsOfItsOwn) {
   const Case c = CaseTexts{}.with(scaled(sineRows(), 1 / 2.36, 1e-4)).read();
   ASSERT_EQ(c.warnings.size(), 1u);
   EXPECT_THAT(c.warnings[0],
-              AllOf(StartsWith("my/fit_1.csv: pos does not go in steps of the encoder (1.53 mrad) but of "
-                               "0.65"),
+              AllOf(StartsWith("my/fit_1.csv: pos does not go in steps of the encoder (0.00153 rad) but of "
+                               "0.00065"),
                     HasSubstr(messages::kOtherSteps)));
 }
 
