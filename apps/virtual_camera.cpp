@@ -142,7 +142,10 @@ int serve(Arguments& a) {
   std::optional<ChildProcess> child;
   try {
     child.emplace(
-        darwinop::process::Start{.command = a.command, .environment = environment, .keeps_ignored_signals = true});
+        darwinop::process::Start{.command = a.command,
+                                 .environment = environment,
+                                 .ends_with_us = true,  // else nothing would end it: only we forward signals to it
+                                 .keeps_ignored_signals = true});
   } catch (const std::system_error& error) {
     std::fprintf(stderr, "darwinop-virtual-camera: %s\n", error.what());
     return kCannotStart;

@@ -211,6 +211,17 @@ TEST_P(EndSignal, EndsTheOtherProgramsNormally) {
   }
 }
 
+#ifdef DARWINOP_WITH_TWIN
+TEST_F(Fate, AVirtualCameraThatIsKilledEndsWhatItStarted) {
+  Program camera{{program("darwinop-virtual-camera"), "--", "/bin/sh", "-c",
+                  "trap 'echo ended; exit' TERM; echo started; while sleep 0.1; do :; done"},
+                 file("camera")};
+  ASSERT_TRUE(camera.says("started", seconds{20})) << camera.output();
+  camera.kill(SIGKILL);
+  EXPECT_TRUE(camera.says("ended", seconds{20}));
+}
+#endif
+
 TEST_P(EndSignal, EndsASupervisorWithTheRobotAtRest) {
   plan("hold");
   startSupervisor();
