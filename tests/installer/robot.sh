@@ -63,7 +63,7 @@ enter_lab() {
     sudo -n true 2>/dev/null || die "the robot is made with mount namespaces, chroot and sshd, and that needs root: \
 run this as root, or as a user whose sudo asks for no password"
     root=(sudo -n env "PATH=$PATH" "DARWINOP_BIN=${DARWINOP_BIN:-}" "DARWINOP_INSTALLER=${DARWINOP_INSTALLER:-}"
-      "DARWINOP_SEED=${DARWINOP_SEED:-2026}" "DARWINOP_EVERY=${DARWINOP_EVERY:-3}")
+      "DARWINOP_SEED=${DARWINOP_SEED:-}" "DARWINOP_EVERY=${DARWINOP_EVERY:-}")
   fi
   "${root[@]}" "${spaces[@]}" true 2>/dev/null || die "root may not make mount, process and network namespaces here \
 (CAP_SYS_ADMIN is missing): in a container, start it with --privileged"

@@ -2,8 +2,8 @@
 # For tests that break an install at many points: the state before, the one wanted after, and the checks between.
 # Sourced by the tests that need it. They set $old (version or none), $new and $new_bundle.
 
-# A break takes two seconds. One in three is tried; which, follows from the seed. DARWINOP_EVERY=1 tries all.
-every=${DARWINOP_EVERY:-3}
+# A break takes two seconds. One in five is tried; which, follows from the seed. DARWINOP_EVERY=1 tries all.
+every=${DARWINOP_EVERY:-5}
 seed=${DARWINOP_SEED:-2026}
 skip=$((seed % every))
 echo "one break in $every, after the first $skip: DARWINOP_EVERY=$every DARWINOP_SEED=$seed"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What users build, and the tests that need its speed: darwinop gap, simulated minutes, campaigns, the installed package,
-# real time without sanitizers, the robot window in a browser, CPU instructions of a cycle.
+# What users build: the installed package, Python, real time without sanitizers, the robot window in a browser, CPU
+# instructions of a cycle.
 # builds: release-tests all
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."

@@ -12,7 +12,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/dev/build.sh
 . tools/test/background.sh
 
-gate=(format scripts build docs model asan release i686 install tsan arm-short tidy)
+gate=(format scripts build docs model asan release i686 install tsan arm-short tidy simulated)
 deep=(lint headers gap gap-sanitized long-model campaign long-install vm vm-aarch64 vm-armhf vm-amd64 n270 arm i686-native fuzz bench)
 more=(fast slow)  # for developers: one label of the debug build
 
