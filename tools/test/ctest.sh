@@ -16,6 +16,7 @@ no_aslr() {
 # Places for tests: one that waits, for a robot in real time or for ssh, takes one; one that computes takes three in the
 # presets with DARWINOP_WHOLE_PROGRAMS (tests/CMakeLists.txt), and so no more of those run at once than there are processors.
 places=$((3 * $(nproc)))
+more_places=$((5 * $(nproc)))  # without sanitizers, what waits leaves room for more
 
 # run_tests PRESET [ARGUMENT...]: runs a test preset, started through the program $under, if set. Prints the output of what
 # failed and the commands that repeat it. CTest's summary also goes to build/PRESET.summary.
