@@ -17,6 +17,7 @@
 #include "runtime/daemon.hpp"
 #include "runtime/messages.hpp"
 #include "runtime/operator.hpp"
+#include "runtime/robot_notes.hpp"
 #include "webots/config_ini.hpp"
 
 namespace {
@@ -49,10 +50,11 @@ runtime::LoopConfig loopConfig(const Arguments& given, const connect::RobotFile&
 }
 
 std::optional<connect::OpenedBus> openBus(const Arguments& given, const connect::RobotFile& robot,
-                                          const runtime::LoopConfig& config) {
+                                          const runtime::LoopConfig& config, const runtime::RuntimeFiles& files) {
   const std::string port = given.port.value_or(robot.serialPort());
   const auto open = [&] {
-    return connect::openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted, robot.imu});
+    return connect::openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted, robot.imu,
+                                   [&] { runtime::RobotNotes::noteServoPowerOff(files); }});
   };
   if (!given.wait) return open();
   const auto log = [](const std::string& what) { std::cerr << "darwinop runtime: " << what << std::endl; };
@@ -66,7 +68,7 @@ int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
   endOnSignals();
   runtime::FileLock claim =
       runtime::claimRuntime(files, group);  // first: if another runtime runs, its port must not be opened
-  std::optional<connect::OpenedBus> opened = openBus(given, robot, config);
+  std::optional<connect::OpenedBus> opened = openBus(given, robot, config, files);
   if (!opened) return 0;  // end requested before the robot was found
   config.port = opened->description;
   config.safety = opened->safety;

@@ -1,6 +1,7 @@
 // The bus of a robot on a serial port, opened and checked.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -23,6 +24,8 @@ struct SerialRobot {
   cm730::JointOffsets offsets{};
   cm730::Permitted permitted{};
   cm730::ImuCalibration imu{};
+  /// Called if servo power is off, before it is switched on: the loop on the opened bus cannot see it any more.
+  std::function<void()> before_servo_power{};
 };
 
 /// An open bus with its line.

@@ -3,12 +3,6 @@
 #include "safety/fault_book.hpp"
 
 namespace darwinop::runtime {
-namespace {
-
-// After this many limp cycles each servo was polled once (safety/guard_states.cpp), and a loss of power was detected.
-constexpr std::uint64_t kAllPolled = kJoints + 5;
-
-}  // namespace
 
 RobotNotes::RobotNotes(const RuntimeFiles& files) : released_{files.released}, held_{files.held} {}
 
@@ -32,8 +26,13 @@ void RobotNotes::update(const Sensors& seen) {
     limp_since_ = seen.cycle;
   if (drives(state) || state == State::kFoundStiff)
     held_.set(true);
-  else if (limp_since_ && seen.cycle - *limp_since_ >= kAllPolled)
+  else if (limp_since_ && seen.cycle - *limp_since_ >= kPollRound)  // a loss of power would have been detected too
     held_.set(false);
+}
+
+void RobotNotes::noteServoPowerOff(const RuntimeFiles& files) {
+  RobotNotes notes{files};
+  if (notes.held()) notes.released_.set(true);
 }
 
 void RobotNotes::forget(const RuntimeFiles& files) {

@@ -20,8 +20,8 @@ class RobotNotes {
 
   /// A person released the robot, and no person has acted since: a new loop must not drive it.
   [[nodiscard]] bool released() const;
-  /// Joints were held, and not all were seen limp since. If a new loop then finds servo power off, RESET was pressed
-  /// under torque (safety::Config::held_before).
+  /// Joints were held, and not all were seen limp since. If servo power is then found off, RESET was pressed under
+  /// torque: noteServoPowerOff(), and safety::Config::held_before for what the loop itself still sees.
   [[nodiscard]] bool held() const { return held_.isSet(); }
 
   /// False: a release would be lost with this process.
@@ -37,6 +37,9 @@ class RobotNotes {
     released_.removeIfClear();
     held_.removeIfClear();
   }
+  /// Call when servo power is found off, before it is switched on: with held() the robot counts as released, also for a
+  /// later process, should this one not come to drive.
+  static void noteServoPowerOff(const RuntimeFiles& files);
   /// Removes the markers: a person has acted while no loop ran.
   static void forget(const RuntimeFiles& files);
 

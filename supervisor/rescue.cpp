@@ -27,10 +27,11 @@ runtime::LoopConfig loopConfig(const RobotSettings& robot, const connect::Opened
 }
 
 /// The previous port, or its new name.
-connect::OpenedBus openBus(const RobotSettings& robot) {
+connect::OpenedBus openBus(const RobotSettings& robot, const runtime::RuntimeFiles& files) {
   const auto open = [&](const std::string& port) {
     connect::SerialRobot serial = robot.serial;
     serial.port = port;
+    serial.before_servo_power = [&] { runtime::RobotNotes::noteServoPowerOff(files); };
     return connect::openSerialBus(serial, cm730::Purpose::kRescue);
   };
   try {
@@ -66,7 +67,7 @@ class Rescue::OwnLoop {
 
  private:
   OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released, runtime::FileLock claim)
-      : OwnLoop{robot, files, released, std::move(claim), openBus(robot)} {}
+      : OwnLoop{robot, files, released, std::move(claim), openBus(robot, files)} {}
 
   OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released, runtime::FileLock claim,
           connect::OpenedBus opened)
@@ -74,7 +75,7 @@ class Rescue::OwnLoop {
         claim_{std::move(claim)},
         notes_{files},
         exchange_{closedExchange(path_, robot.group, released || notes_.released())},
-        watch_{robot.serial.period, runtime::Rest{robot.serial.safety, robot.serial.period}.atMost()},
+        watch_{robot.serial.period, runtime::Rest::atMost(robot.serial.safety.gentle_speed)},
         host_{loopConfig(robot, opened, notes_.held()), std::move(opened.bus), exchange_,
               runtime::LoopStats::Timed::kYes, runtime::Recorder::Writer::kThread},
         driver_{host_.loop(), clock_, robot.serial.period, {}} {

@@ -50,6 +50,14 @@ TEST_F(Notes, ARobotCountsAsHeldUntilEachServoWasLookedAt) {
   EXPECT_FALSE(RobotNotes{files_}.held());
 }
 
+TEST_F(Notes, ServoPowerThatIsFoundOffIsAReleaseOfARobotThatWasHeld) {
+  RobotNotes::noteServoPowerOff(files_);
+  EXPECT_FALSE(RobotNotes{files_}.released()) << "a board that was just switched on";
+  see(State::kDriven);
+  RobotNotes::noteServoPowerOff(files_);
+  EXPECT_TRUE(RobotNotes{files_}.released());
+}
+
 TEST_F(Notes, AReleaseIsKnownUntilItsFaultIsOver) {
   for (const Fault fault : {Fault::kReleasedByButton, Fault::kReleasedByOperator, Fault::kBoardReset}) {
     see(State::kLimp, 1, fault);

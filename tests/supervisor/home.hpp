@@ -143,6 +143,14 @@ class Home : public Rig {
     cm730::pass(line, Nanos{2'000'000'000});
   }
 
+  /// As RESET does: all servos lose power for a moment. The port must be free.
+  void pressReset() const {
+    cm730::SerialPort line{port()};
+    const std::array<std::uint8_t, 1> off{0};
+    ASSERT_TRUE(cm730::writeRegisters(line, kBoardId, board::kDxlPower, off).ok());
+    cm730::pass(line, Nanos{200'000'000});
+  }
+
   std::unique_ptr<Program> supervisor_;
   std::string said_;
 };

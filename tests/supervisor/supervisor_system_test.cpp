@@ -316,6 +316,29 @@ TEST_F(Home, AfterAnOperatorsReleaseItWaitsForAReset) {
   EXPECT_TRUE(within(seconds{20}, [&] { return sensors().safety.state == State::kDriven; })) << supervisor_->output();
 }
 
+/// The start-up probe switches servo power on, so no loop sees that it was off.
+TEST_F(Home, AfterAResetWhileNoLoopRanItWaitsForAPerson) {
+  startVirtualRobot();
+  plan("sit");  // a robot that has to be set down first would not be driven anyway
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  supervisor_->kill(SIGSTOP);  // no rescue
+  const Status before = status();
+  kill(before.runtime_pid, SIGKILL);
+  kill(before.controller_pid, SIGKILL);
+  supervisor_->kill(SIGKILL);
+  supervisor_->wait(seconds{5});
+  EXPECT_TRUE(within(seconds{5}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
+  pressReset();
+
+  startSupervisor();
+  ASSERT_TRUE(says(waitingFor(Fault::kReleasedByOperator))) << supervisor_->output();
+  std::this_thread::sleep_for(milliseconds{2500});
+  EXPECT_FALSE(anyTorqueSince(0, sensors()));
+  EXPECT_EQ(ask("--restart-controller"), 0);
+  EXPECT_TRUE(within(seconds{20}, [&] { return sensors().safety.state == State::kDriven; })) << supervisor_->output();
+}
+
 TEST_F(Home, ARobotThatIsFoundStandingIsBroughtToRestAtTheEnd) {
   startVirtualRobot();
   standByHand();

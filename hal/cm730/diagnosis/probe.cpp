@@ -114,6 +114,7 @@ class Probe {
   void switchServosOn() {
     BoardFacts& board = facts_.board;
     if (board.absent || board.power_on || facts_.lost) return;
+    if (options_.before_servo_power) options_.before_servo_power();
     constexpr int kAttempts = 3;  // a busy computer may lose the write or the reply
     for (int tried = 0; tried < kAttempts && !board.power_on && !facts_.lost; ++tried) {
       const std::uint8_t on = 1;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bitset>
+#include <functional>
 #include <string>
 
 #include "hal/byte_line.hpp"
@@ -29,6 +30,7 @@ struct ProbeOptions {
   bool observe = false;            // also what only takes longer to see: observation.hpp
   TickRanges allowed = tableRanges();
   Permitted permitted{};
+  std::function<void()> before_servo_power{};  // called if servo power is off, before it is switched on
 
   /// Start of a loop: well under a second on a healthy robot, 300 ms more if servo power was off.
   static ProbeOptions quick() { return {}; }

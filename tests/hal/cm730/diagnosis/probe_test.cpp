@@ -58,6 +58,22 @@ TEST(Probe, SwitchesServoPowerOnAndWaitsForTheServosToBoot) {
   EXPECT_TRUE(report.facts.board.power_on);
 }
 
+TEST(Probe, SaysThatServoPowerIsOffBeforeItSwitchesItOn) {
+  for (const bool powered : {false, true}) {
+    BoardOptions board;
+    board.servo_power = powered;
+    ProbeBench bench{board};
+    int said = 0;
+    ProbeOptions options = ProbeOptions::quick();
+    options.before_servo_power = [&] {
+      ++said;
+      EXPECT_FALSE(bench.robot.board().device().servoPower());
+    };
+    bench.probe(options);
+    EXPECT_EQ(said, powered ? 0 : 1);
+  }
+}
+
 TEST(Probe, WritesNothingToAHealthyServo) {
   ProbeBench bench;
   bench.probe();
