@@ -70,8 +70,8 @@ struct LedCommand {
   }
 };
 
-/// [Safety] and [Limits] of a controller, for its session. They can make the robot's settings stricter, never laxer:
-/// safety/session_settings.hpp.
+/// [Safety] and [Limits] of a controller, for its session. Limits, and settings that protect the robot, can only become
+/// stricter; the others, such as `stall_ms`, are the session's: safety/session_settings.hpp.
 struct SessionSettings {
   /// Settings of [Safety] in the order of safety::Config::visit(), choices as their index; then low and high of each
   /// joint in rad.
@@ -100,6 +100,8 @@ struct Commands {
   Flag unattended{};
   /// Read in the first image of a session only.
   SessionSettings settings{};
+  /// Filled in by the loop: nothing will watch the robot after this session. The robot's own `on_exit` holds then.
+  Flag loop_ends{};
   /// Requests of an operator, independent of the controller; filled in by the loop. A change is one request.
   std::uint32_t operator_resets = 0;    // clear latched faults
   std::uint32_t operator_releases = 0;  // torque off on every joint

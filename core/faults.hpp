@@ -135,10 +135,11 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "the controller has not called step() for 500 ms",
      "the last safe goals are held; motion continues when step() is called", Checked::kAlways, "",
      "`stall_ms`, not during takeover and start."},
-    {Fault::kControllerGone, Reaction::kKneel, false, false, "controller_gone",
+    {Fault::kControllerGone, Reaction::kKneel, false, true, "controller_gone",
      "the controller has been silent for 10 s and has not ended its session",
      "the robot sits down slowly and releases torque; start a controller to take over", Checked::kAlways, "",
-     "`gone_s`. After a regular end `on_exit` applies."},
+     "`gone_s`. A program that wakes up later does not drive again; its `step()` returns -1. After a regular end "
+     "`on_exit` applies."},
 });
 
 inline constexpr FaultRow kNoFault{Fault::kNone, Reaction::kReport, false, false, "none", "all is well",

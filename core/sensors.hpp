@@ -29,6 +29,9 @@ struct Freshness {
 /// Replies in a row that may be missing. After more, the link counts as lost (board), or the servo is taken over again.
 /// Single lost replies are normal on this bus.
 inline constexpr std::uint32_t kAnswerPatience = 5;  // cycles
+/// The safety layer polls one servo per cycle (voltage, temperature, torque). After this many cycles each was polled
+/// once, with a margin for lost replies.
+inline constexpr std::uint32_t kPollRound = kJoints + 5;
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -99,6 +102,11 @@ struct SafetyReport {
   std::bitset<kJoints> tripped;       // shut themselves off; not driven until a reset is requested
   std::bitset<kJoints> missed_start;  // did not reach the start pose in time in the last move to it
   std::uint32_t start_timeouts = 0;   // moves to the start pose that timed out
+
+  // Settings in force: the robot's and the session's together. NaN: not known, as over TCP.
+  float gentle_speed = std::numeric_limits<float>::quiet_NaN();    // rad/s
+  float default_p_gain = std::numeric_limits<float>::quiet_NaN();  // of a joint that was given none
+  Reaction at_end = Reaction::kKneel;                              // [Safety] on_exit
 };
 
 struct Sensors {

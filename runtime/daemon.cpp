@@ -47,7 +47,9 @@ FileLock claimRuntime(const RuntimeFiles& files, gid_t group) {
     (void)FileLock::tryTake(files.drive_lock, group);
     return std::move(*claim);
   }
-  const std::string pid = std::to_string(FileLock::holder(files.loop_lock));
+  const pid_t holder = FileLock::holder(files.loop_lock);
+  if (holder <= 0) throw std::runtime_error("another runtime with this name starts or ends just now; try again");
+  const std::string pid = std::to_string(holder);
   throw std::runtime_error("a runtime with this name runs already (pid " + pid + "); end it with: kill " + pid +
                            "  or start this one under another name with --name");
 }
@@ -76,7 +78,7 @@ JointSet Daemon::run(const std::atomic<bool>& stop) {
   }
   letControllerEnd();
   exchange_.ownBlock().closing.store(ExchangeBlock::kClosing);  // ends the controller and brings the robot to rest
-  const Nanos give_up = clock_.now() + rest_.atMost();
+  const Nanos give_up = clock_.now() + rest_.atMost(sensors());
   for (Sensors seen = sensors(); !rest_.reached(seen) && clock_.now() < give_up; seen = sensors()) {
     announcer.update(seen);
     notes_.update(seen);

@@ -51,7 +51,7 @@ DARWINOP_LAYOUT(JointCommand, set, torque_on, goal, speed_limit, torque_limit, p
 DARWINOP_LAYOUT(LedCommand, set, panel, head, eye);
 DARWINOP_LAYOUT(SessionSettings, numbers, given);
 DARWINOP_LAYOUT(Commands, joint, led, session, sequence, made_ns, end_of_session, fault_resets, start_where_it_is,
-                unattended, settings, operator_resets, operator_releases);
+                unattended, settings, loop_ends, operator_resets, operator_releases);
 
 DARWINOP_LAYOUT(Freshness, age);
 DARWINOP_LAYOUT(JointSensors, motion, position, velocity, load, error_bits, polled, voltage, temperature, torque_limit,
@@ -62,7 +62,7 @@ DARWINOP_LAYOUT(LinkCounters, exchanges, incomplete, retries, bad_checksums, gar
                 clamped_goals);
 DARWINOP_LAYOUT(WireFigures, bytes_out, bytes_in, wire_ns, bus_ns);
 DARWINOP_LAYOUT(SafetyReport, state, active, worst, worst_joint, reaction, limit_hits, controller_must_end, session,
-                tripped, missed_start, start_timeouts);
+                tripped, missed_start, start_timeouts, gentle_speed, default_p_gain, at_end);
 DARWINOP_LAYOUT(Sensors, cycle, time_ns, period_ns, wake_latency_ns, slack_ns, overruns, joint, bus, board, link, wire,
                 safety, silent);
 

@@ -38,7 +38,7 @@ void LockstepLink::run() {
 
 LockstepLink::~LockstepLink() {
   if (!publishEndOfSession()) return;
-  const auto at_most = static_cast<std::uint64_t>(rest_.atMost() / period());
+  const auto at_most = static_cast<std::uint64_t>(rest_.atMost(sensors()) / period());
   for (std::uint64_t cycles = 0; !rest_.reached(sensors()) && cycles < at_most; ++cycles) run();
 }
 

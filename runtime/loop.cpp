@@ -55,7 +55,8 @@ const Commands& Loop::withOperator() noexcept {
   asked.operator_resets = fault_resets_;
   // Without the exchange no commands arrive and no client can observe: bring the robot to rest.
   const bool closing = block_.closing.load(std::memory_order_relaxed) == ExchangeBlock::kClosing;
-  if (closing || exchange_.lost()) asked.end_of_session = true;
+  asked.loop_ends = closing || exchange_.lost();
+  if (asked.loop_ends) asked.end_of_session = true;
   return asked;
 }
 

@@ -1,5 +1,7 @@
 #include "runtime/rest.hpp"
 
+#include <cmath>
+
 #include "core/units.hpp"
 #include "runtime/torque_left.hpp"
 
@@ -7,9 +9,9 @@ namespace darwinop::runtime {
 namespace {
 
 constexpr std::uint64_t kTakenIn = 3;  // cycles until an end of session is read, executed and reported
-// Torque off is a broadcast without acknowledgement. After this many cycles every servo has been polled once, and the
-// command was repeated to those that had not received it.
-constexpr std::uint64_t kLookedAtAll = kJoints + 5;
+// Torque off is a broadcast without acknowledgement. After a round the command was repeated to those that had not
+// received it.
+constexpr std::uint64_t kLookedAtAll = kPollRound;
 // A servo that missed it, or whose poll was lost, is asked again in the next rounds.
 constexpr std::uint64_t kGivenUp = 4 * kLookedAtAll;
 // After a short interruption of the line the kneel continues; after a longer one nothing is sent.
@@ -40,9 +42,13 @@ bool Rest::reached(const Sensors& seen) noexcept {
   return limp >= (all_limp ? kLookedAtAll : kGivenUp) || offline >= offline_cycles_;
 }
 
-Nanos Rest::atMost() const noexcept {
+Nanos Rest::atMost(const Sensors& seen) const noexcept {
+  return atMost(std::fmin(gentle_speed_, static_cast<double>(seen.safety.gentle_speed)));  // NaN: that of the robot
+}
+
+Nanos Rest::atMost(double gentle_speed) noexcept {
   // At most one turn per joint, plus half of it as margin, plus time to take over and to come to rest.
-  return safety::fromSeconds(1.5 * 2 * kPi / gentle_speed_ + 5);
+  return safety::fromSeconds(1.5 * 2 * kPi / gentle_speed + 5);
 }
 
 }  // namespace darwinop::runtime

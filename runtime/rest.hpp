@@ -16,8 +16,10 @@ class Rest {
 
   /// Call with each image after the end of session, in order. True: the loop may end.
   [[nodiscard]] bool reached(const Sensors& seen) noexcept;
-  /// Time-out: longer than a kneel from any pose takes.
-  [[nodiscard]] Nanos atMost() const noexcept;
+  /// Time-out: longer than a kneel from any pose takes. `seen`: an image of the session, which may have a gentle_speed
+  /// of its own.
+  [[nodiscard]] Nanos atMost(const Sensors& seen) const noexcept;
+  [[nodiscard]] static Nanos atMost(double gentle_speed) noexcept;
 
  private:
   [[nodiscard]] std::uint64_t cyclesIn(State state, const Sensors& seen, std::optional<std::uint64_t>& since) noexcept;

@@ -25,7 +25,7 @@ bool ThreadedLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& st
 
 ThreadedLink::~ThreadedLink() {
   if (!publishEndOfSession()) return;
-  const Nanos give_up = now() + rest_.atMost();
+  const Nanos give_up = now() + rest_.atMost(sensors());
   const std::atomic<bool> go_on{false};
   for (Sensors seen = sensors(); !rest_.reached(seen) && now() < give_up; seen = sensors())
     (void)waitForCycle(seen.cycle + 1, go_on);

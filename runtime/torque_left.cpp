@@ -8,8 +8,7 @@
 namespace darwinop::runtime {
 namespace {
 
-// The safety layer polls one servo per cycle; the margin of a round is for lost replies.
-constexpr std::uint32_t kTwoRounds = 2 * (kJoints + 5);
+constexpr std::uint32_t kTwoRounds = 2 * kPollRound;
 
 }  // namespace
 

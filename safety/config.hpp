@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/conversions.hpp"
+#include "core/faults.hpp"
 #include "core/joints.hpp"
 #include "core/units.hpp"
 
@@ -25,6 +26,11 @@ enum class StartMove : std::uint8_t { kPose, kHold };
 // In the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> kOnFallNames{"report", "limp"};
 inline constexpr std::array<std::string_view, 3> kOnExitNames{"hold", "kneel", "limp"};
+inline constexpr double kLeastGentleSpeed = 0.05;  // rad/s; a crouch takes up to three minutes
+constexpr Reaction atExit(OnExit asked) {
+  if (asked == OnExit::kHold) return Reaction::kHold;
+  return asked == OnExit::kLimp ? Reaction::kLimp : Reaction::kKneel;
+}
 inline constexpr std::array<std::string_view, 2> kReleaseButtonNames{"mode", "none"};
 inline constexpr std::array<std::string_view, 2> kStartMoveNames{"pose", "hold"};
 
@@ -107,7 +113,8 @@ struct Config {
   static void visitFields(Self& c, V& v) {
     v("max_joint_speed", c.max_joint_speed, 0.1, kMaxVelocity, "rad/s",
       "a goal never moves faster; 12.26 is the MX-28");
-    v("gentle_speed", c.gentle_speed, 0.05, 3.0, "rad/s", "start, kneel, hot servos, joints that come back");
+    v("gentle_speed", c.gentle_speed, kLeastGentleSpeed, 3.0, "rad/s",
+      "start, kneel, hot servos, joints that come back");
     v("default_speed", c.default_speed, kLeastSpeed, kFullSpeed, "rad/s", "speed limit of a joint that was given none");
     v("default_torque", c.default_torque, 0.05, kMaxTorqueNm, "N m", "torque limit of a joint that was given none");
     v("default_p_gain", c.default_p_gain, kGainPerCount, kMaxPGain, "", "P gain of a joint that was given none");

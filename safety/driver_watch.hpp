@@ -18,8 +18,10 @@ class DriverWatch {
   void update(const Commands& asked, bool excused, Nanos dt) noexcept {
     came_ = asked.session != 0 && asked.session != session_;
     obeyed_ = came_ || (session_ != 0 && asked.session == session_);
-    // Heartbeat: only an increased sequence number counts, because the last image of a dead controller remains.
-    const bool alive = came_ || (obeyed_ && !ended_ && asked.sequence > sequence_);
+    // Heartbeat: only an increased sequence number counts, because the last image of a dead controller remains. A
+    // session that was given up stays so: a program that wakes up must not raise a robot that sits limp, perhaps in
+    // somebody's hands.
+    const bool alive = came_ || (obeyed_ && !ended_ && asked.sequence > sequence_ && !gone());
     const bool by_driver = came_ || (obeyed_ && asked.fault_resets != resets_);
     reset_asked_ = (by_driver && !asked.unattended) || asked.operator_resets != operator_resets_;
     released_ = asked.operator_releases != operator_releases_;
@@ -45,6 +47,7 @@ class DriverWatch {
   /// True in the cycle in which an operator releases the robot.
   [[nodiscard]] bool released() const noexcept { return released_; }
   [[nodiscard]] bool stalled() const noexcept { return silence_ >= fromSeconds(config_.stall_ms / 1000); }
+  /// From then on only a new session can drive.
   [[nodiscard]] bool gone() const noexcept { return silence_ >= fromSeconds(config_.gone_s); }
   /// The session has ended; only a new one can drive.
   [[nodiscard]] bool ended() const noexcept { return ended_; }

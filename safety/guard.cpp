@@ -38,7 +38,9 @@ Guard::Guard(const Config& config)
       board_{config_},
       faults_{config_},
       joints_{makeJoints(config_, std::make_index_sequence<kJoints>{})},
-      move_{config_} {}
+      move_{config_} {
+  reportSettings();
+}
 
 SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
   // The nominal period, not elapsed time: the first step after an overrun is no longer than any other.
@@ -60,6 +62,7 @@ void Guard::take(const Commands& asked, Nanos dt) noexcept {
   const bool moves_by_itself = state_ == State::kTakingOver || state_ == State::kStarting;
   driver_.update(asked, moves_by_itself, dt);
   if (driver_.came()) beginSession(asked);
+  if (asked.loop_ends) config_.on_exit = robot_config_.on_exit;
   if (driver_.resetAsked()) clearFaults();
   if (!driver_.obeyed()) return;
   for (std::size_t i = 0; i < kJoints; ++i) joints_[i].take(asked.joint[i], report_.limit_hits);
@@ -72,6 +75,13 @@ void Guard::beginSession(const Commands& asked) noexcept {
   started_ = false;
   report_.missed_start.reset();
   for (JointGuard& joint : joints_) joint.forgetRequests();
+  reportSettings();
+}
+
+void Guard::reportSettings() noexcept {
+  report_.gentle_speed = static_cast<float>(config_.gentle_speed);
+  report_.default_p_gain = static_cast<float>(config_.default_p_gain);
+  report_.at_end = atExit(config_.on_exit);
 }
 
 /// Called when a person has acted.

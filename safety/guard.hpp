@@ -41,6 +41,7 @@ class Guard {
   void watch(const Sensors& seen, Nanos dt) noexcept;
   void watchHold() noexcept;
   void beginSession(const Commands& asked) noexcept;
+  void reportSettings() noexcept;
   void clearFaults() noexcept;
   void noteFaults() noexcept;
 
@@ -53,6 +54,7 @@ class Guard {
   [[nodiscard]] bool anyStiff() const noexcept;
   [[nodiscard]] bool allKnown() const noexcept;
   [[nodiscard]] bool holds() const noexcept;
+  [[nodiscard]] bool stillLimp() const noexcept;
   [[nodiscard]] bool takenOver() const noexcept;
   void runTimers(const Sensors& seen, Nanos dt) noexcept;
   void act(Event event) noexcept;

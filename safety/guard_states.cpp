@@ -6,23 +6,10 @@
 namespace darwinop::safety {
 namespace {
 
-// Maximum age of a torque reading, in cycles: one round in which each servo is polled once, and a margin for lost
-// replies. What is still unknown after two rounds stays unknown.
-constexpr int kPollRound = kJoints + 5;
+// Cycles after which what is still unknown of a servo's torque stays unknown.
+constexpr int kTwoRounds = 2 * kPollRound;
 // After the robot sits: time to come to rest before it releases torque.
 constexpr Nanos kRest{std::chrono::seconds{1}};
-
-Reaction atExit(OnExit requested) noexcept {
-  switch (requested) {
-    case OnExit::kHold:
-      return Reaction::kHold;
-    case OnExit::kKneel:
-      return Reaction::kKneel;
-    case OnExit::kLimp:
-      return Reaction::kLimp;
-  }
-  return Reaction::kKneel;
-}
 
 }  // namespace
 
@@ -49,13 +36,14 @@ std::optional<Event> Guard::findEvent() const noexcept {
 /// that the supply was interrupted under torque, and then a person has to act first.
 std::optional<Event> Guard::findEventOffline() const noexcept {
   if (!board_.answersNow()) return std::nullopt;
-  const bool polled = !board_.powered() || allKnown() || polling_for_ > 2 * kPollRound;
+  const bool polled = !board_.powered() || allKnown() || polling_for_ > kTwoRounds;
   if (board_.absent() && !polled) return std::nullopt;
   if (anyStiff() || holding_up_) return Event::kStiffSeen;
   return polled || driver_.present() ? std::optional{Event::kBoardFound} : std::nullopt;
 }
 
 std::optional<Event> Guard::findEventAtRest() const noexcept {
+  if (state_ == State::kTakingOver) return Event::kRelease;  // of a robot that is still limp
   if (state_ == State::kLimp && anyStiff()) return Event::kStiffSeen;
   if (state_ == State::kFoundStiff && !anyStiff() && (allKnown() || !board_.powered())) return Event::kLimpSeen;
   return std::nullopt;
@@ -72,7 +60,13 @@ bool Guard::allKnown() const noexcept {
 /// Joints are held. A servo that missed a torque off does not count: the command is repeated to it alone.
 bool Guard::holds() const noexcept {
   const auto left_stiff = [](const JointGuard& j) { return j.stiff() && !j.offOrdered(); };
-  return drives(state_) || holding_up_ || (state_ == State::kFoundStiff && std::ranges::any_of(joints_, left_stiff));
+  return (drives(state_) && !stillLimp()) || holding_up_ ||
+         (state_ == State::kFoundStiff && std::ranges::any_of(joints_, left_stiff));
+}
+
+/// A session has come, but no joint has torque yet. If it ends now, nothing needs to be held or sat down.
+bool Guard::stillLimp() const noexcept {
+  return state_ == State::kTakingOver && !holding_up_ && allKnown() && !anyStiff();
 }
 
 std::optional<Event> Guard::findEventOf(State state, bool wanted, bool hold) const noexcept {
@@ -83,6 +77,7 @@ std::optional<Event> Guard::findEventOf(State state, bool wanted, bool hold) con
     case State::kFoundStiff:
       return wanted ? Event::kDriverCame : findEventAtRest();
     case State::kTakingOver:
+      if (driver_.ended() && stillLimp()) return Event::kRelease;  // whatever on_exit says
       return when(takenOver(), in_place_ || started_ ? Event::kTakenOverInPlace : Event::kTakenOver);
     case State::kStarting:
       return hold ? Event::kHold : when(arrived, Event::kStartDone);
@@ -121,7 +116,7 @@ void Guard::changeState(const Sensors& seen, Nanos dt) noexcept {
 }
 
 void Guard::runTimers(const Sensors& seen, Nanos dt) noexcept {
-  polling_for_ = state_ == State::kOffline && board_.answersNow() ? std::min(polling_for_ + 1, 2 * kPollRound + 1) : 0;
+  polling_for_ = state_ == State::kOffline && board_.answersNow() ? std::min(polling_for_ + 1, kTwoRounds + 1) : 0;
   if (state_ == State::kTakingOver && board_.powered()) taking_over_for_ += dt;
   if (state_ != State::kStarting && state_ != State::kKneeling) return;
   PoseMove::Mask moving;

@@ -1,4 +1,4 @@
-// [Safety] and [Limits] of a controller's session, as part of its commands; they can only make the robot's stricter.
+// [Safety] and [Limits] of a controller's session, as part of its commands.
 #pragma once
 
 #include <cstdint>

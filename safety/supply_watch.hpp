@@ -33,7 +33,7 @@ class SupplyWatch {
   // a robot.
   static constexpr Nanos kTogether{std::chrono::seconds{1}};
   /// Maximum age of a voltage: two polling rounds, in cycles.
-  static constexpr std::uint32_t kRecent = 2 * (kJoints + 5);
+  static constexpr std::uint32_t kRecent = 2 * kPollRound;
 
  private:
   using Joints = std::bitset<kJoints>;

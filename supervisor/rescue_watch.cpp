@@ -6,8 +6,8 @@
 namespace darwinop::supervisor {
 namespace {
 
-// The safety layer polls one servo per cycle: after two rounds each reading is newer than the torque switch.
-constexpr std::uint64_t kTwoRounds = 2 * (kJoints + 5);
+// After two rounds each reading is newer than the torque switch.
+constexpr std::uint64_t kTwoRounds = 2 * kPollRound;
 
 std::uint64_t cyclesIn(Nanos time, Nanos period) {
   return static_cast<std::uint64_t>(time / period);

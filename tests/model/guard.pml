@@ -155,6 +155,9 @@ inline note_faults() {
   :: else -> skip fi
 }
 
+/* Guard::stillLimp */
+#define STILL_LIMP (state == ST_taking_over && !holding_up && (known || age > PATIENCE) && !stiff)
+
 inline find_event() {
   ev = NEVENTS;
   offline_now = !ever || missed > PATIENCE;
@@ -186,10 +189,12 @@ inline find_event() {
      fi
   :: else ->
      if
-     :: demand >= RE_limp && (DRIVES(state) || holding_up || (state == ST_found_stiff && stiff && !off_ordered)) ->
+     :: STILL_LIMP && (demand >= RE_kneel || ended) -> ev = EV_release
+     :: demand >= RE_limp && ((DRIVES(state) && !STILL_LIMP) || holding_up || (state == ST_found_stiff && stiff && !off_ordered)) ->
         ev = EV_release
      :: demand == RE_kneel && state != ST_kneeling &&
-        (DRIVES(state) || holding_up || (state == ST_found_stiff && stiff && !off_ordered)) -> ev = EV_kneel
+        ((DRIVES(state) && !STILL_LIMP) || holding_up || (state == ST_found_stiff && stiff && !off_ordered)) ->
+        ev = EV_kneel
      :: else ->
         if
         :: demand < RE_limp && came != NOBODY && wanted -> ev = EV_driver_came

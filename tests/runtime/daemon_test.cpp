@@ -189,6 +189,18 @@ TEST_F(DaemonTest, OnRequestItEndsTheControllerAndLeavesTheRobotLimp) {
   EXPECT_THAT(refusal(), HasSubstr(messages::kNoRuntime + files_.exchange));
 }
 
+/// Nothing would watch the robot afterwards.
+TEST_F(DaemonTest, ASessionThatHoldsAtItsEndDoesNotKeepTheRobotUpWhenTheDaemonEnds) {
+  DaemonLink link{files_};
+  safety::Config holds;
+  holds.on_exit = safety::OnExit::kHold;
+  link.setSafety(holds);
+  drive(link, 0.1, stop_);
+  kill(child_.pid(), SIGTERM);
+  while (link.waitForCycle(link.sensors().cycle + 1, stop_)) link.publish(neckTo(0.1));
+  EXPECT_EQ(child_.exitStatus(), 0) << "the robot is limp";
+}
+
 TEST_F(DaemonTest, OnRequestTheControllerMayFinishBeforeItEnds) {
   auto link = std::make_unique<DaemonLink>(files_);
   drive(*link, 0.1, stop_);

@@ -29,7 +29,7 @@ class RestTest : public testing::Test {
   }
 
   /// Every servo is polled in this many cycles, as in runtime/torque_left.cpp.
-  static constexpr int kRound = kJoints + 5;
+  static constexpr int kRound = kPollRound;
   Sensors seen_;
   Rest rest_{safety::Config{}, milliseconds{16}};
 };
@@ -59,6 +59,13 @@ TEST_F(RestTest, AnInterruptionThatEndsIsForgotten) {
   EXPECT_EQ(cyclesIn(State::kOffline, 100), std::nullopt);
   EXPECT_EQ(cyclesIn(State::kKneeling, 10), std::nullopt);
   EXPECT_EQ(cyclesIn(State::kOffline), 3000 / 16);
+}
+
+TEST_F(RestTest, ASessionThatMovesMoreGentlyGetsMoreTime) {
+  const Nanos usual = rest_.atMost(seen_);
+  EXPECT_EQ(usual, Rest::atMost(safety::Config{}.gentle_speed)) << "not known yet";
+  seen_.safety.gentle_speed = 0.05F;
+  EXPECT_GT(rest_.atMost(seen_), std::chrono::seconds{180});
 }
 
 TEST_F(RestTest, ALimpRobotIsNotLeftBeforeTheEndOfTheSessionIsTakenIn) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "safety/rig.hpp"
+#include "safety/session_settings.hpp"
 #include "safety/start_pose.hpp"
 
 namespace darwinop::safety {
@@ -158,29 +159,47 @@ TEST(Kneel, ANewSessionBreaksOffTheKneelOfAControllerThatIsGone) {
   EXPECT_TRUE(rig.report().active.none());
 }
 
-TEST(Kneel, AControllerThatWasOnlySuspendedTakesOverAgainGently) {
-  Rig rig;
-  stand(rig);
-  rig.steps = false;
-  ASSERT_TRUE(rig.reach(State::kKneeling));
-  ASSERT_TRUE(rig.reach(State::kLimp));
-  rig.steps = true;
-  ASSERT_TRUE(rig.reach(State::kStarting));
-  ASSERT_TRUE(rig.reach(State::kDriven));
-  rig.runFor(3);
-  EXPECT_NEAR(rig.robot[Joint::kLegLowerR].position, 0.3, 0.01);
+TEST(Kneel, AControllerThatWasGivenUpDoesNotDriveAgainAndANewSessionDoes) {
+  for (const int cycles_of_kneel : {20, 2000}) {
+    Rig rig;
+    stand(rig);
+    rig.steps = false;
+    ASSERT_TRUE(rig.reach(State::kKneeling));
+    rig.run(cycles_of_kneel);
+    rig.steps = true;
+    ASSERT_TRUE(rig.reach(State::kLimp)) << "also when it returns in the middle of the kneel";
+    rig.runFor(20);
+    expectLimp(rig);
+    EXPECT_TRUE(rig.report().controller_must_end);
+    rig.newSession();
+    ASSERT_TRUE(rig.reach(State::kDriven));
+    EXPECT_FALSE(rig.report().controller_must_end);
+    rig.runFor(3);
+    EXPECT_NEAR(rig.robot[Joint::kLegLowerR].position, 0.3, 0.01);
+  }
 }
 
-TEST(Kneel, AControllerThatReturnsInTheMiddleOfTheKneelTakesOver) {
+TEST(Kneel, AControllerThatReturnsBeforeItIsGivenUpDrivesOn) {
   Rig rig;
   stand(rig);
   rig.steps = false;
-  ASSERT_TRUE(rig.reach(State::kKneeling));
-  rig.run(20);
+  rig.runFor(9.9);
+  ASSERT_EQ(rig.state(), State::kHolding);
   rig.steps = true;
-  rig.run(2);
-  EXPECT_EQ(rig.state(), State::kTakingOver);
   EXPECT_TRUE(rig.reach(State::kDriven));
+}
+
+/// The loop ends with it, so nothing would watch a robot that a session's `on_exit = hold` leaves standing.
+TEST(Kneel, AtTheEndOfTheLoopTheRobotsOwnExitHolds) {
+  for (const bool loop_ends : {false, true}) {
+    Rig rig{exitBy(OnExit::kKneel)};
+    rig.commands.settings = toSession(exitBy(OnExit::kHold));
+    stand(rig);
+    EXPECT_EQ(rig.report().at_end, Reaction::kHold);
+    rig.commands.end_of_session = true;
+    rig.commands.loop_ends = loop_ends;
+    EXPECT_TRUE(rig.reach(loop_ends ? State::kLimp : State::kHolding));
+  }
 }
 
 TEST(Kneel, ARobotThatLosesItsPowerInTheKneelIsNotRaisedAgain) {

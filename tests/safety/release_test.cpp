@@ -173,7 +173,7 @@ TEST_P(AfterARelease, NoSequenceOfTwoProgramActsBringsTorqueBackAndAPersonDoes) 
         if (first.run != second.run) continue;
         rig.runFor(0.5);
         pressFor(rig, kStart, 0.35);
-        EXPECT_FALSE(rig.report().controller_must_end);
+        EXPECT_EQ(latchedFault(rig.report().active), Fault::kNone);
         unattendedSession(rig, false);
         EXPECT_TRUE(rig.reach(State::kDriven));
         EXPECT_TRUE(anyTorque(rig));

@@ -45,6 +45,39 @@ TEST(TakeOver, GoalIsThePresentPositionAndTorqueComesWhenTheServosAreSeenToHaveI
   EXPECT_TRUE(rig.safe->torqueOn().all());
 }
 
+/// Ctrl-C, or a controller that fails at its start.
+TEST(TakeOver, ALimpRobotStaysLimpIfTheSessionEndsBeforeTorqueIsOn) {
+  for (const OnExit how : {OnExit::kHold, OnExit::kKneel, OnExit::kLimp}) {
+    Config config;
+    config.on_exit = how;
+    Rig rig{config};
+    rig.robot.goal_write_switches_on = true;
+    rig.run(60);
+    rig.newSession();
+    rig.cycle();
+    ASSERT_EQ(rig.state(), State::kTakingOver);
+    rig.commands.end_of_session = true;
+    for (int i = 0; i < 1000; ++i) {
+      rig.cycle();
+      for (const FakeServo& servo : rig.robot.servo) ASSERT_FALSE(servo.torque) << i;
+    }
+    EXPECT_EQ(rig.state(), State::kLimp);
+  }
+}
+
+TEST(TakeOver, AStandingRobotSitsDownIfTheSessionEndsAtOnce) {
+  Rig rig;
+  for (FakeServo& servo : rig.robot.servo) servo.torque = true;
+  rig.run(60);
+  ASSERT_EQ(rig.state(), State::kFoundStiff);
+  rig.newSession();
+  rig.cycle();
+  ASSERT_EQ(rig.state(), State::kTakingOver);
+  rig.commands.end_of_session = true;
+  rig.cycle();
+  EXPECT_EQ(rig.state(), State::kKneeling);
+}
+
 TEST(TakeOver, ThenAllJointsMoveSlowlyToTheStartPose) {
   Rig rig;
   rig.robot[Joint::kShoulderR].position += 1.5;
