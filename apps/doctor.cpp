@@ -65,14 +65,15 @@ int examine(const std::string& asked, bool fix, bool json) {
   options.offsets = robot.offsets;
   options.period = robot.period.value_or(connect::kUsualPeriod);
   options.absent = robot.safety.absent;
-  options.allowed = connect::goalTicks(connect::safetyOn(robot, {}, "config.ini"), robot.offsets);
+  const safety::Config safety = connect::safetyOn(robot, {}, "config.ini");
+  options.allowed = connect::goalTicks(safety, robot.offsets);
   options.correct = options.correct_mute = fix;
   options.permitted = robot.permitted;
   probed = cm730::probe(*check.port, options);
   report.add(probed.findings);
   if (probed.facts.board.isKnown() && probed.facts.board.suppliesServos()) {
     report.begin("pose");
-    report.add(connect::startPoseFindings(probed.facts));
+    report.add(connect::startPoseFindings(probed.facts, safety));
   }
   return finish();
 }

@@ -7,7 +7,7 @@
 
 namespace darwinop::connect {
 
-cm730::Findings startPoseFindings(const cm730::RobotFacts& facts) {
+cm730::Findings startPoseFindings(const cm730::RobotFacts& facts, const safety::Config& safety) {
   Sensors seen;
   for (std::size_t i = 0; i < kJoints; ++i) {
     if (!facts.servo[i].readable) continue;
@@ -19,7 +19,7 @@ cm730::Findings startPoseFindings(const cm730::RobotFacts& facts) {
     seen.board.accelerometer = facts.board.accelerometer;
   }
   seen.board.absent = facts.board.absent;
-  const safety::StartPoseCheck check = safety::checkStartPose(seen);
+  const safety::StartPoseCheck check = safety::checkStartPose(seen, safety::startPose(safety));
   cm730::Findings rows;
   std::istringstream lines{safety::describe(check)};
   for (std::string line; std::getline(lines, line);)

@@ -3,11 +3,12 @@
 
 #include "hal/cm730/diagnosis/finding.hpp"
 #include "hal/cm730/diagnosis/robot_facts.hpp"
+#include "safety/config.hpp"
 
 namespace darwinop::connect {
 
 /// Another pose is a warning, not an error: the loop moves the robot slowly, but the user should look first. Lists each
 /// joint that is off, with its deviation.
-cm730::Findings startPoseFindings(const cm730::RobotFacts& facts);
+cm730::Findings startPoseFindings(const cm730::RobotFacts& facts, const safety::Config& safety = {});
 
 }  // namespace darwinop::connect

@@ -93,7 +93,8 @@ safety::StartPoseCheck startPoseNow(const RuntimeFiles& files) {
   }
   Sensors seen;
   (void)exchange.block().sensors.read(seen);
-  return safety::checkStartPose(seen);
+  const LoopInfo& info = exchange.block().info;
+  return safety::checkStartPose(seen, safety::startPose(safety::fromSession(info.safety, info.safety_named)));
 }
 
 }  // namespace darwinop::runtime

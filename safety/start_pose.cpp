@@ -44,17 +44,16 @@ std::array<Rad, kJoints> startPose(const Config& config) noexcept {
   return pose;
 }
 
-StartPoseCheck checkStartPose(const Sensors& seen) noexcept {
+StartPoseCheck checkStartPose(const Sensors& seen, const std::array<Rad, kJoints>& start) noexcept {
   StartPoseCheck result;
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
     if (!isLeg(joint)) continue;
     const Rad position = recent(seen.joint[i].motion) ? seen.joint[i].position : Rad{};
-    const Rad start = radFromTicks(row(joint).start);
-    const double off = position.value - start.value;
+    const double off = position.value - start[i].value;
     // Tolerance of 0.001 ticks: exactly 230 ticks are allowed.
     if (!(std::abs(off) <= kStartPoseTolerance + kRadPerTick / 1000))
-      result.off[result.off_count++] = {joint, position, start, off};
+      result.off[result.off_count++] = {joint, position, start[i], off};
   }
   result.without_board = seen.board.absent;
   result.upright = true;

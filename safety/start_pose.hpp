@@ -42,8 +42,10 @@ struct StartPoseCheck {
   [[nodiscard]] bool secure() const noexcept { return off_count == 0 && (upright || without_board); }
 };
 
-/// Checks readings of the last few cycles; older or missing readings count as unknown and fail.
-[[nodiscard]] StartPoseCheck checkStartPose(const Sensors& seen) noexcept;
+/// Checks readings of the last few cycles against the start pose of the robot's configuration; older or missing
+/// readings count as unknown and fail.
+[[nodiscard]] StartPoseCheck checkStartPose(const Sensors& seen,
+                                            const std::array<Rad, kJoints>& start = startPose(Config{})) noexcept;
 
 /// Text for the user: one line for each joint that is off, with its deviation, and one for the orientation. Not for the
 /// loop.

@@ -1,6 +1,7 @@
 // State machine of the default controller: waits for the start pose, runs, restarts after a crash, gives up.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "core/sensors.hpp"
 #include "hal/process/child_process.hpp"
 #include "runtime/names.hpp"
+#include "safety/start_pose.hpp"
 #include "supervisor/holder.hpp"
 #include "supervisor/journal.hpp"
 #include "supervisor/restart_policy.hpp"
@@ -20,6 +22,8 @@ class DefaultController {
   /// `home`/default is a link to its folder; output goes to `home`/log/controller.log.
   DefaultController(std::string home, const runtime::RuntimeFiles& files);
 
+  /// Start pose within the limits of the runtime's loop; call when its first cycle has run.
+  void startsFrom(const std::array<Rad, kJoints>& pose) { start_pose_ = pose; }
   /// Call while the runtime's loop runs, with its newest image.
   void update(const Sensors& seen, Nanos now);
   /// Call while there is no loop, so that the controller's end is noticed.
@@ -61,6 +65,7 @@ class DefaultController {
   void become(State state, const std::string& text);
 
   std::string home_;
+  std::array<Rad, kJoints> start_pose_ = safety::startPose(safety::Config{});
   runtime::RuntimeFiles files_;
   RestartPolicy policy_;
   State state_ = State::kWaiting;

@@ -71,7 +71,7 @@ bool DefaultController::ready(const Sensors& seen, Nanos now) {
 /// A robot under torque is moved to the start pose slowly, as at any takeover. A limp robot in another pose may be held
 /// by a person or lie on its face.
 bool DefaultController::sits(const Sensors& seen, Nanos now) {
-  const safety::StartPoseCheck check = safety::checkStartPose(seen);
+  const safety::StartPoseCheck check = safety::checkStartPose(seen, start_pose_);
   if (!check.secure())
     return waitFor(
         messages::kWaitingForPose + std::string{": set the robot upright; details: darwinop runtime --check-pose"},

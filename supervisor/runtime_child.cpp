@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "runtime/file_lock.hpp"
+#include "safety/session_settings.hpp"
 
 namespace darwinop::supervisor {
 
@@ -13,6 +14,12 @@ void RuntimeChild::attach() {
   auto exchange = runtime::ExchangeReader::open(files_.exchange);
   if (exchange && exchange->block().info.pid == child_.pid() && exchange->block().finished.value() > 0)
     exchange_ = std::move(exchange);
+}
+
+safety::Config RuntimeChild::safety() const {
+  if (!exchange_) return {};
+  const runtime::LoopInfo& info = exchange_->block().info;
+  return safety::fromSession(info.safety, info.safety_named);
 }
 
 /// After truncation of the file the last copy stays, with a constant cycle counter: the runtime counts as hung.

@@ -7,6 +7,7 @@
 #include "hal/process/child_process.hpp"
 #include "runtime/exchange_reader.hpp"
 #include "runtime/names.hpp"
+#include "safety/config.hpp"
 #include "supervisor/heartbeat.hpp"
 
 namespace darwinop::supervisor {
@@ -27,6 +28,8 @@ class RuntimeChild {
   /// It has been ready at some time.
   [[nodiscard]] bool wasUp() const { return heart_.has_value(); }
   [[nodiscard]] const Sensors& sensors() const { return seen_; }
+  /// Of its loop; once that runs.
+  [[nodiscard]] safety::Config safety() const;
   [[nodiscard]] Nanos patience() const { return heart_ ? heart_->patience() : Nanos{0}; }
   [[nodiscard]] process::ChildProcess& process() { return child_; }
 

@@ -58,7 +58,10 @@ void Supervisor::updateRuntime() {
   if (state == RuntimeChild::State::kSilent && kill_at_ == Nanos{0})
     return rescue("runtime: hung, no cycle for " + std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
   if (state != RuntimeChild::State::kStarting) {
-    if (phase_ == SupervisorPhase::kStarting) onEvent(PhaseEvent::kFirstCycle, messages::kRuntimeReady);
+    if (phase_ == SupervisorPhase::kStarting) {
+      controller_.startsFrom(safety::startPose(runtime_->safety()));
+      onEvent(PhaseEvent::kFirstCycle, messages::kRuntimeReady);
+    }
     start_wait_ = kFirstWait;
     controller_.update(runtime_->sensors(), now_);
   } else {
@@ -69,7 +72,8 @@ void Supervisor::updateRuntime() {
 
 void Supervisor::endRuntime() {
   if (kill_at_ == Nanos{0}) {
-    kill_at_ = now_ + runtime::Rest{settings_.serial.safety, settings_.serial.period}.atMost() + kTimeToStop;
+    const runtime::Rest rest{settings_.serial.safety, settings_.serial.period};
+    kill_at_ = now_ + rest.atMost(runtime_->sensors()) + kTimeToStop;
     runtime_->process().signal(SIGTERM);
   }
   if (now_ >= kill_at_) rescue("runtime: has not ended in time");

@@ -104,5 +104,16 @@ TEST(StartPose, NarrowedLimitsHoldForTheStartPoseToo) {
   EXPECT_EQ(startPose(config)[index(Joint::kLegLowerR)], Rad{1.5});
 }
 
+/// Safety moves the robot no further, and with the table's pose it would never count as seated.
+TEST(StartPose, IsWithinTheLimitsOfTheRobot) {
+  Config config;
+  config.range[index(Joint::kLegLowerR)].high = Rad{1.7};  // 2.25 rad in the table
+  const auto pose = startPose(config);
+  Sensors seen = sitting();
+  seen.joint[index(Joint::kLegLowerR)].position = Rad{1.7};
+  EXPECT_FALSE(checkStartPose(seen).secure());
+  EXPECT_TRUE(checkStartPose(seen, pose).secure());
+}
+
 }  // namespace
 }  // namespace darwinop::safety

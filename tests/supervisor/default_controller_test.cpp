@@ -83,6 +83,22 @@ struct Begin : ::testing::Test {
   [[nodiscard]] bool runs() const { return status().controller_pid != 0; }
 };
 
+TEST_F(Begin, ARobotThatSitsWithinItsLimitsIsInItsStartPose) {
+  auto pose = safety::startPose(safety::Config{});
+  pose[index(Joint::kLegLowerR)] = Rad{1.7};  // as [Limits] allows
+  Sensors seen = sitting();
+  seen.joint[index(Joint::kLegLowerR)].position = Rad{1.7};
+  const auto starts = [&] {
+    for (int i = 0; i < 100; ++i) controller.update(seen, now += 50ms);
+    Status status;
+    controller.report(status, now);
+    return status.controller_pid != 0;
+  };
+  EXPECT_FALSE(starts());
+  controller.startsFrom(pose);
+  EXPECT_TRUE(starts());
+}
+
 TEST_F(Begin, ALimpRobotMustSitForASecond) {
   lookFor(980ms, sitting());
   EXPECT_FALSE(runs());
