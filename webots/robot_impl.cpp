@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "connect/keys.hpp"
@@ -22,16 +23,9 @@ bool usable(Freshness freshness) {
   return freshness.age <= 3;
 }
 
-std::string_view endNotice(safety::OnExit on_exit) {
-  switch (on_exit) {
-    case safety::OnExit::kHold:
-      return messages::kEndsHolding;
-    case safety::OnExit::kKneel:
-      return messages::kEndsKneeling;
-    case safety::OnExit::kLimp:
-      break;
-  }
-  return messages::kEndsLimp;
+std::string_view endNotice(Reaction at_end) {
+  if (at_end == Reaction::kHold) return messages::kEndsHolding;
+  return at_end == Reaction::kKneel ? messages::kEndsKneeling : messages::kEndsLimp;
 }
 
 /// DARWINOP_KEYS selects window, terminal or none; unset: automatic.
@@ -65,7 +59,7 @@ RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerC
 }
 
 RobotImpl::~RobotImpl() {
-  if (stop_ && ends_with_us_) logLine(endNotice(config_.safety.on_exit));
+  if (stop_ && ends_with_us_) logLine(endNotice(session_.sensors().safety.at_end));
 }
 
 void RobotImpl::add(webots::Device* device) {
@@ -101,7 +95,8 @@ void RobotImpl::addLentGain(std::size_t joint) {
     was_lent_[joint] = true;
     command.setPGain(*lent_gain_[joint]);
   } else if (was_lent_[joint] && !command.has(JointCommand::kPGain)) {
-    command.setPGain(config_.safety.default_p_gain);
+    const double usual = static_cast<double>(session_.sensors().safety.default_p_gain);
+    command.setPGain(std::isnan(usual) ? config_.safety.default_p_gain : usual);  // NaN: over TCP
   }
 }
 

@@ -75,6 +75,16 @@ TEST_F(GaitLending, RestoresGainsAndLimitsIfDestroyedDuringAStep) {
   EXPECT_EQ(knee.getVelocity(), 2);
 }
 
+/// Of the loop, with what robot.ini says, and not of the controller's own file.
+TEST_F(GaitLending, AJointThatWasGivenNoGainGetsTheRobotsUsualOneBack) {
+  fake.image.safety.default_p_gain = 2;
+  standing().start();
+  steps(5);
+  manager_.reset();
+  robot().step(16);
+  EXPECT_EQ(fake.last().joint[index(Joint::kLegLowerR)].p_gain, 2);
+}
+
 TEST_F(GaitLending, ReleasesJointsTakenByAPageAndRestartsAfterIt) {
   standing().start();
   steps(20);
