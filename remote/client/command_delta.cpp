@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/counts.hpp"
 #include "remote/protocol/units.hpp"
 
 namespace darwinop::remote {
@@ -64,11 +65,6 @@ MotorSetting changesOf(const MotorSetting& now, MotorSetting& sent) {
   return changes;
 }
 
-int wideColour(std::uint16_t word) {
-  const auto widen = [](int five) { return (five << 3) | (five >> 2); };
-  return (widen(word & 31) << 16) | (widen((word >> 5) & 31) << 8) | widen((word >> 10) & 31);
-}
-
 }  // namespace
 
 void CommandDelta::add(const Commands& wanted, Request& request) {
@@ -87,8 +83,8 @@ void CommandDelta::addLeds(const LedCommand& wanted, Request& request) {
     return true;
   };
   const auto colour = [&](Led led, int value) { (void)request.leds.add({led, static_cast<std::uint32_t>(value)}); };
-  if (is_changed(LedCommand::kEye, &LedCommand::eye)) colour(Led::kEye, wideColour(wanted.eye));
-  if (is_changed(LedCommand::kHead, &LedCommand::head)) colour(Led::kHead, wideColour(wanted.head));
+  if (is_changed(LedCommand::kEye, &LedCommand::eye)) colour(Led::kEye, rgb24From15(wanted.eye));
+  if (is_changed(LedCommand::kHead, &LedCommand::head)) colour(Led::kHead, rgb24From15(wanted.head));
   if (!is_changed(LedCommand::kPanel, &LedCommand::panel)) return;
   colour(Led::kBackRed, (wanted.panel & 1) != 0 ? 1 : 0);
   colour(Led::kBackGreen, (wanted.panel & 4) != 0 ? 1 : 0);

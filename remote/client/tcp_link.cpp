@@ -47,7 +47,7 @@ void TcpLink::publish(Commands commands) {
 }
 
 void TcpLink::send(std::uint64_t cycle) {
-  const Commands wanted = commands_.value_or(Commands{});
+  const Commands wanted = commands_.value_or(Commands{.start_where_it_is = options_.start_where_it_is});
   const bool was_lost = loss_.since.has_value();
   Request request;
   if (commands_) command_delta_.add(wanted, request);

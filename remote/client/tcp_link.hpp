@@ -28,6 +28,8 @@ struct TcpOptions {
   Nanos reconnect_timeout{30'000'000'000};  // after a lost connection
   Nanos reply_timeout{2'000'000'000};       // without a reply: the connection counts as lost
   std::function<void(const std::string&)> log;
+  /// Until the first publish(), whose commands say it themselves: the server may begin the session before.
+  bool start_where_it_is = false;
 };
 
 /// Cycles are those of the robot's loop, numbered in each reply. Without replies, cycles are counted by the local clock

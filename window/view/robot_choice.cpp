@@ -81,6 +81,7 @@ std::unique_ptr<runtime::RobotLink> openDriveLink(const RobotChoice& choice, con
     options.port = at.port;
     options.connect_timeout = kServerPatience;
     options.log = log;
+    options.start_where_it_is = true;  // as DriveThread asks for
     return std::make_unique<remote::TcpLink>(std::move(options));
   }
   if (isRemote(choice))

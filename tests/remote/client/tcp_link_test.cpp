@@ -281,6 +281,21 @@ TEST_F(TcpLinkTest, SendsAllCommandsAfterAReconnectAndStartsAtThePresentPosition
   EXPECT_EQ(sent, 1) << "a new connection gets it once";
 }
 
+/// The server takes over with the first request, before anything is published.
+TEST_F(TcpLinkTest, ALinkThatStartsWhereTheRobotIsSaysSoInItsFirstRequest) {
+  for (const bool in_place : {false, true}) {
+    ScriptedRobot robot;
+    ScriptedServer server{std::ref(robot)};
+    TcpOptions options;
+    options.port = server.port();
+    options.start_where_it_is = in_place;
+    TcpLink tcp{std::move(options)};
+    EXPECT_EQ(server.requests().front().extension.start_where_it_is, in_place);
+    ASSERT_TRUE(stepOf(tcp));
+    EXPECT_FALSE(server.requests().back().extension.start_where_it_is) << "the commands say it themselves";
+  }
+}
+
 TEST_F(TcpLinkTest, ContinuesStepsWithAgingValuesWithoutReplies) {
   ScriptedRobot robot;
   robot.real_time = true;
