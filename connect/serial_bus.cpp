@@ -17,6 +17,9 @@ namespace darwinop::connect {
 namespace {
 
 constexpr Nanos kShortestPeriod{8'000'000};
+// Servos and buttons are watched a reading at a time: with this period MODE, held for 0.25 s, is read five times, and a
+// servo that has restarted is found within 1.4 s.
+constexpr Nanos kLongestPeriod{50'000'000};
 
 std::string problemText(const cm730::Findings& findings) {
   std::string text;
@@ -50,6 +53,7 @@ cm730::ProbeOptions probeOptions(const SerialRobot& robot) {
   options.offsets = robot.offsets;
   options.absent = robot.safety.absent;
   options.permitted = robot.permitted;
+  options.before_servo_power = robot.before_servo_power;
   options.allowed = goalTicks(robot.safety, robot.offsets);
   return options;
 }
@@ -116,12 +120,16 @@ OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose) {
   if (robot.period < kShortestPeriod)
     throw std::runtime_error("a period of " + std::to_string(robot.period.count() / 1'000) +
                              " us is too short for the bus, where a cycle takes up to 5.5 ms; choose 8 ms or more");
+  if (robot.period > kLongestPeriod)
+    throw std::runtime_error("a period of " + std::to_string(robot.period.count() / 1'000'000) +
+                             " ms is too long to protect a robot: a button or a servo that restarts would be seen too "
+                             "late; choose 8 to 50 ms (16 is usual)");
   auto line = std::make_unique<cm730::SerialPort>(robot.port);
   const cm730::ProbeReport checked = check(*line, robot, purpose);
   OpenedBus opened;
   opened.safety = withinServoLimits(robot, checked, purpose);
   opened.description = describe(robot, checked.facts, opened.safety);
-  opened.warnings = problemText(checked.findings) + problemText(startPoseFindings(checked.facts));
+  opened.warnings = problemText(checked.findings) + problemText(startPoseFindings(checked.facts, opened.safety));
   cm730::BusConfig config = cm730::BusConfig::forPeriod(robot.period, robot.offsets);
   config.absent = robot.safety.absent;
   config.no_writes = opened.safety.no_writes;

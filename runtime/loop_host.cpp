@@ -35,8 +35,9 @@ void fill(LoopInfo& info, const LoopConfig& config) {
 const LoopConfig& checked(const LoopConfig& config) {
   using namespace std::chrono_literals;
   if (config.period < 1ms || config.period > 1s)
-    throw std::runtime_error("a period of " + std::to_string(config.period.count() / 1'000) +
-                             " us is not possible; choose 8 to 1000 ms (16 is usual)");
+    throw std::runtime_error(
+        "a period of " + std::to_string(config.period.count() / 1'000) +
+        " us is not possible; choose 1 to 1000 ms in simulation, 8 to 50 on a robot (16 is usual)");
   return config;
 }
 

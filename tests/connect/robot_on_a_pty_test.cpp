@@ -60,6 +60,17 @@ TEST_F(RobotOnAPty, AControllersPeriodComesBeforeTheFiles) {
   EXPECT_EQ(connectTo(host.path(), request)->period(), 10ms);
 }
 
+TEST_F(RobotOnAPty, APeriodThatIsTooLongToProtectARobotIsRefused) {
+  ConnectRequest request;
+  request.period = 51ms;
+  try {
+    static_cast<void>(connectTo(host.path(), request));
+    ADD_FAILURE();
+  } catch (const std::runtime_error& wrong) {
+    EXPECT_THAT(wrong.what(), HasSubstr("8 to 50 ms"));
+  }
+}
+
 TEST_F(RobotOnAPty, LimitsWithNothingInCommonEndTheProgramBeforeThePortIsOpened) {
   write("[Limits]\nNeck = -1, -0.5\n");
   ConnectRequest request;
