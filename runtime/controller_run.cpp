@@ -25,6 +25,7 @@
 #include "runtime/operator.hpp"
 #include "runtime/python_command.hpp"
 #include "runtime/report.hpp"
+#include "runtime/torque_left.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -50,13 +51,15 @@ class LoopFigures {
   /// A session has begun since. A daemon can run while the controller drives another robot.
   [[nodiscard]] bool driven() const { return exchange_.block().session.load() != session_; }
 
-  /// The loop's process ended while joints of a real robot may have had torque.
-  [[nodiscard]] bool leftTorque() const {
+  /// The loop's process ended while joints of a real robot may have had torque, and not because on_exit is to hold.
+  [[nodiscard]] bool leftTorque(bool ended_well) const {
     const auto now = std::make_unique<StatsView>();
     exchange_.block().stats.copyTo(*now);
     Sensors last;
     const bool timed = !std::isnan(now->wake.max());  // simulated time has no latencies
-    return timed && exchange_.block().sensors.read(last) && last.safety.state != State::kLimp;
+    if (!timed || !exchange_.block().sensors.read(last) || last.safety.state == State::kLimp) return false;
+    if (last.safety.state == State::kOffline && everAnswered(last).none()) return false;
+    return !(ended_well && last.safety.at_end == Reaction::kHold);
   }
 
   void print() const {
@@ -112,7 +115,9 @@ process::Ending runToItsEnd(const process::Start& start) {
     controller.emplace(start);
     child_pid = controller->pid();
   }
-  return controller->wait();
+  const process::Ending ending = controller->wait();
+  child_pid = 0;  // the number may soon be another process's
+  return ending;
 }
 
 }  // namespace
@@ -147,7 +152,7 @@ int runController(const RunRequest& request) {
   };
   auto embedded = observer.path().empty() ? std::nullopt : tryAttach(attach, RuntimeFiles{observer.path()});
   if (embedded) {
-    if (ending.by_signal && embedded->leftTorque())
+    if (embedded->leftTorque(ending.isNormal()))
       std::cerr << messages::kNoLoopLeft
                 << ". Hold the robot; pressing RESET on its back (or `darwinop run` again) releases torque"
                 << std::endl;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/joints.hpp"
-#include "runtime/exchange_link.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -34,8 +33,7 @@ std::string describe(const SafetyReport& report) {
 }
 
 void DriverSession::start() {
-  if (auto* const exchange = dynamic_cast<ExchangeLink*>(link_.get()); started_ && exchange != nullptr)
-    exchange->beginSession();
+  if (started_) link_->beginSession();
   started_ = true;
   first_cycle_ = link_->sensors().cycle + 2;
 }

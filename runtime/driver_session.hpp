@@ -22,7 +22,7 @@ class DriverSession {
   /// `link` holds the lease.
   explicit DriverSession(std::unique_ptr<RobotLink> link) : link_{std::move(link)} {}
 
-  /// Takes over with the next commands. A further call begins a new session, which safety starts gently.
+  /// Takes over with the next commands. A further call begins a new session: RobotLink::beginSession().
   void start();
   /// First cycle whose safety report is certain to refer to this session: one that runs during start() may not.
   [[nodiscard]] std::uint64_t firstCycle() const { return first_cycle_; }

@@ -21,7 +21,7 @@ namespace {
   throw std::runtime_error(what + ": " + std::strerror(error) + (remedy.empty() ? "" : "; " + remedy));
 }
 
-/// True if the file belongs to another user.
+/// Why the file cannot be opened: whose it is, and what to do.
 std::string notPermitted(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return "cannot open " + path + ": its folder may not be read";

@@ -18,7 +18,7 @@ class ExchangeLink : public RobotLink {
 
   /// Begins a session with a new number, which safety starts gently. Only the holder of the driving lease may call
   /// this; the constructor has called it once.
-  void beginSession();
+  void beginSession() override;
   /// The robot's [Safety] and [Limits], as published by the loop when the session began.
   [[nodiscard]] safety::Config robotSafety() const;
   /// Stricter settings for this session. Call before the first publish().

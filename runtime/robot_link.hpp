@@ -29,6 +29,10 @@ class RobotLink {
   /// real time.
   [[nodiscard]] virtual bool bringsToRest() const { return realTime(); }
 
+  /// Begins another session, which safety starts gently. No effect over TCP, where a session lasts as long as the
+  /// connection.
+  virtual void beginSession() {}
+
   /// Publishes commands; the loop uses the newest ones. Session and sequence numbers are filled in here. Never blocks.
   virtual void publish(Commands commands) = 0;
 

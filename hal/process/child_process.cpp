@@ -124,7 +124,7 @@ ChildProcess::ChildProcess(const Start& start) {
 ChildProcess::~ChildProcess() {
   for (std::size_t i = 0; i < streams_.size(); ++i) closeStream(i);
   signal(SIGTERM);
-  (void)ended();  // if it has not ended yet, init reaps it
+  (void)ended();  // one that has not ended yet is reaped by init once we have ended
 }
 
 void ChildProcess::closeStream(std::size_t number) {

@@ -58,8 +58,8 @@ TEST(Run, ReportsAControllerThatWasKilled) {
   EXPECT_THAT(outcome.warned, testing::Not(HasSubstr("torque"))) << "a robot in simulated time has none to hold";
 }
 
-TEST(Run, SaysThatNoLoopIsLeftWhenTheControllerThatHadItIsKilled) {
-  EXPECT_THAT(run("crash").warned, HasSubstr(messages::kNoLoopLeft));
+TEST(Run, SaysThatNoLoopIsLeftWhenTheControllerThatHadItIsKilledOrSkipsItsEnd) {
+  for (const char* how : {"crash", "leave"}) EXPECT_THAT(run(how).warned, HasSubstr(messages::kNoLoopLeft)) << how;
 }
 
 TEST(Run, HandsOnASignalThatAnotherProcessSends) {
