@@ -154,7 +154,7 @@ int runController(const RunRequest& request) {
   if (embedded) {
     if (embedded->leftTorque(ending.isNormal()))
       std::cerr << messages::kNoLoopLeft
-                << ". Hold the robot; pressing RESET on its back (or `darwinop run` again) releases torque"
+                << ". Hold the robot: RESET on its back releases torque; a new `darwinop run` drives it again"
                 << std::endl;
     embedded->fromTheBeginning();
     embedded->print();

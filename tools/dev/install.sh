@@ -45,6 +45,11 @@ need() {
     say "missing: $package:$why"
   done < <(packages)
   [ ${#missing[@]} = 0 ] && return
+  # Names and versions are those of one release.
+  local system
+  system=$(. /etc/os-release && echo "$ID $VERSION_ID")
+  [ "$system" = 'debian 12' ] || die "packages are known for Debian 12, and here is $system: use a container of it, such as: \
+docker run -it -v \"\$PWD:/src\" -w /src debian:12 ./dev demo"
   local command="apt-get install --no-install-recommends ${missing[*]}"
   may_install || die "no right to install packages here. Ask an administrator for: $command"
   say "running: $command"
