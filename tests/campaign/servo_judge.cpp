@@ -19,7 +19,7 @@ constexpr auto kForgotten = boundAs<int>(Leniency::kUnseenRestart);
 constexpr auto kLate = boundAs<int>(Leniency::kLateWrite);
 constexpr auto kGrace = boundAs<int>(Leniency::kEarlyBit);
 constexpr auto kEarlyTrips = boundAs<int>(Leniency::kEarlyTrips);
-constexpr auto kPollRound = boundAs<int>(Leniency::kNoSpeedLimit);
+constexpr auto kUnlimitedRound = boundAs<int>(Leniency::kNoSpeedLimit);
 constexpr auto kUntrustedFor = boundAs<int>(Leniency::kUntrusted);
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
 
@@ -156,7 +156,7 @@ void ServoJudge::judgeSpeedLimits(const Sensors& seen) {
                            servo.untrusted_until <= cycle_;
     servo.unlimited_for = unlimited ? servo.unlimited_for + 1 : 0;
     if (unlimited) tolerate(Leniency::kNoSpeedLimit);
-    if (servo.unlimited_for > kPollRound)
+    if (servo.unlimited_for > kUnlimitedRound)
       blame(Promise::kSpeedLimit, joint, "for long under torque without a speed limit");
   }
 }
@@ -229,7 +229,7 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   if (edge) servo.pulls_since = cycle_;
   if (address == servo::kTorqueEnable && after.torque_enable) servo.torque_on_at = cycle_;
   // Also if the edge itself is not judged.
-  if (edge && cycle_ - servo.lost_at <= kForgotten) servo.unlimited_until = cycle_ + kPollRound;
+  if (edge && cycle_ - servo.lost_at <= kForgotten) servo.unlimited_until = cycle_ + kUnlimitedRound;
   if (servo.untrusted_until > cycle_) return tolerate(Leniency::kUntrusted);
   if (late && with_goal && !repeated) judgeLate(joint, *sent, before, after, goals);
   if (late) return tolerate(Leniency::kLateWrite);

@@ -61,6 +61,7 @@ TEST_F(RobotOnAPty, AControllersPeriodComesBeforeTheFiles) {
 }
 
 TEST_F(RobotOnAPty, APeriodThatIsTooLongToProtectARobotIsRefused) {
+  write("[Robot]\n");
   ConnectRequest request;
   request.period = 51ms;
   try {

@@ -253,6 +253,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "runtime_process_test:DaemonTest.ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs "
      "runtime_process_test:DaemonTest.AFifoInThePlaceOfItsRecordMeansAReleaseUntilAPersonActs "
      "runtime_process_test:DaemonTest.ServoPowerThatIsFoundOffAfterADaemonThatDroveIsARelease "
+     "supervisor_system_test:Home.AfterAResetWhileNoLoopRanItWaitsForAPerson "
      "safety_on_board_test:ReleaseOnTheBoard.AResetBeforeOrAfterTheDeathOfALoopThatHeldTheRobotIsARelease",
      "process"},
     {"H408", "The robot rises after RESET", "power returns during a kneel", "no torque without a person's act",
@@ -282,6 +283,17 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "runtime_test:TorqueLeft.AServoThatWasNotPolledForTwoRoundsIsUnknown "
      "supervisor_system_test:UnderTorque.AServoThatIgnoresTorqueOffIsNamedByStopAndSupervisor "
      "supervisor_system_test:UnderTorque.ABoardThatIsSilentAtTheEndLeavesAllJointsUnknown",
+     "process"},
+    {"H416", "A robot that sits limp rises in somebody's hands", "a controller that hung for gone_s wakes up",
+     "a session that was given up never drives again", "limp; step() returns -1",
+     "safety_test:Kneel.AControllerThatWasGivenUpDoesNotDriveAgainAndANewSessionDoes", "always"},
+    {"H417", "A limp robot gets torque without a controller", "a session ends while it takes the robot over",
+     "without torque nothing is sat down or held", "limp",
+     "safety_test:TakeOver.ALimpRobotStaysLimpIfTheSessionEndsBeforeTorqueIsOn", "always"},
+    {"H418", "The robot stands with nothing to watch it", "the daemon ends a session that holds at its end",
+     "the end of the loop follows the robot's own on_exit", "kneel, limp",
+     "safety_test:Kneel.AtTheEndOfTheLoopTheRobotsOwnExitHolds "
+     "runtime_process_test:DaemonTest.ASessionThatHoldsAtItsEndDoesNotKeepTheRobotUpWhenTheDaemonEnds",
      "process"},
     {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
