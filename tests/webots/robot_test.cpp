@@ -80,7 +80,7 @@ TEST_F(RobotTest, ReleasingTheRobotBeforeItsOwnerIsHarmless) {
 
 TEST_F(RobotTest, AUserWhoRequestsTheEndIsInformedWhatTheRobotDoesMeanwhile) {
   const auto notice = [&](safety::OnExit on_exit, bool asked, bool real_time) {
-    config.safety.on_exit = on_exit;
+    fake.image.safety.at_end = safety::atExit(on_exit);  // as the loop reports it
     fake.real_time = real_time;
     auto impl = std::make_unique<RobotImpl>(std::make_unique<FakeLink>(fake), config, stop);
     stop = asked;
