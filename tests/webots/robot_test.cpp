@@ -83,6 +83,8 @@ TEST_F(RobotTest, AUserWhoRequestsTheEndIsInformedWhatTheRobotDoesMeanwhile) {
     fake.image.safety.at_end = safety::atExit(on_exit);  // as the loop reports it
     fake.real_time = real_time;
     auto impl = std::make_unique<RobotImpl>(std::make_unique<FakeLink>(fake), config, stop);
+    stop = false;
+    (void)impl->begin();
     stop = asked;
     testing::internal::CaptureStderr();
     impl.reset();
