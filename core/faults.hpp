@@ -137,7 +137,9 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "`stall_ms`, not during takeover and start."},
     {Fault::kControllerGone, Reaction::kKneel, false, true, "controller_gone",
      "the controller has been silent for 10 s and has not ended its session",
-     "the robot sits down slowly and releases torque; start a controller to take over", Checked::kAlways, "",
+     "the robot sits down slowly and releases torque; start the controller again, and if it needs longer than that "
+     "between two steps, raise `gone_s` in config.ini",
+     Checked::kAlways, "at the next start",
      "`gone_s`. A program that wakes up later does not drive again; its `step()` returns -1. After a regular end "
      "`on_exit` applies."},
 });
