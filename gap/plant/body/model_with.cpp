@@ -26,18 +26,25 @@ double massOf(const twin::Model& model, std::size_t link) {
   return compiled->body_mass[link == twin::kTrunkLink ? map.trunk : map.link[link]];
 }
 
-/// Two masses in one link become one, with their weight and their moment; the inertia of their distance is lost.
+/// Two masses in one link become one between them, with their weight. It has their moment as well where both have one
+/// sign; what they differ by moves the centre of mass, so that masses that cancel keep their moment. The inertia of
+/// their distance is lost.
 void changeLink(twin::Model& model, std::size_t link, double mass_kg, const Eigen::Vector3d& from_com_m,
                 const Eigen::Vector3d& com_shift_m) {
   twin::LinkSettings& into = model.links[link];
-  if (mass_kg != 0) {
-    Eigen::Vector3d moment = mass_kg * from_com_m;
-    if (const double was_kg = into.mass_kg; was_kg != 0) {
-      const Eigen::Vector3d was = was_kg * asVector(into.mass_from_com_m);
-      moment += was + mass_kg * was / massOf(model, link);  // the first one moved the centre of mass
-    }
+  if (const double was_kg = into.mass_kg; mass_kg != 0 && was_kg != 0) {
+    const double both_kg = massOf(model, link);
+    const Eigen::Vector3d first_m = asVector(into.mass_from_com_m);
+    const Eigen::Vector3d second_m = from_com_m + was_kg / both_kg * first_m;  // the first moved the centre of mass
+    const double first = std::abs(was_kg), second = std::abs(mass_kg);
+    const Eigen::Vector3d between_m = (first * first_m + second * second_m) / (first + second);
     into.mass_kg += mass_kg;
-    into.mass_from_com_m = into.mass_kg == 0 ? TwinAxes{} : asAxes(moment / into.mass_kg);
+    const Eigen::Vector3d left_kg_m = was_kg * first_m + mass_kg * second_m - into.mass_kg * between_m;
+    const Eigen::Vector3d moved_m = left_kg_m / (both_kg - was_kg);
+    into.com_shift_m = asAxes(asVector(into.com_shift_m) + moved_m);
+    into.mass_from_com_m = asAxes(between_m - moved_m);
+  } else if (mass_kg != 0) {
+    into.mass_kg = mass_kg, into.mass_from_com_m = asAxes(from_com_m);
   }
   into.com_shift_m = asAxes(asVector(into.com_shift_m) + com_shift_m);
 }

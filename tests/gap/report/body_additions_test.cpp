@@ -5,6 +5,9 @@
 
 #include <stdexcept>
 
+#include "gap/plant/body/model_with.hpp"
+#include "twin/body/mujoco_model.hpp"
+
 namespace darwinop::gap {
 namespace {
 
@@ -89,6 +92,28 @@ TEST(BodyAdditions, ASecondMassOfALinkKeepsWeightAndMoment) {
   const twin::Model model = twin::parseModel(withAdditions(one, again.additions), "m");
   EXPECT_NEAR(model.links[twin::kTrunkLink].mass_kg, 0.4, 1e-9);
   EXPECT_NEAR(model.links[twin::kTrunkLink].mass_from_com_m[0], 0, 1e-6);
+}
+
+TEST(BodyAdditions, MassesThatCancelKeepTheirMoment) {
+  const auto heavy = [](double mass_kg, double at_m) {
+    FloorHypothesis robot;
+    robot.robot.links.push_back({.link = Joint::kArmLowerR, .mass_kg = mass_kg, .from_com_m = {at_m, 0, 0}});
+    return robot;
+  };
+  const twin::Model plain = twin::parseModel(kModel, "m");
+  const auto com = [](const twin::Model& model) {
+    const twin::MjModelPtr compiled = twin::loadBody(model, false);
+    const int link = twin::mapBody(*compiled, model.body.xml).link[static_cast<std::size_t>(Joint::kArmLowerR)];
+    return std::pair{compiled->body_mass[link], compiled->body_ipos[3 * link]};
+  };
+  const auto [was_kg, was_m] = com(plain);
+  for (const double second_kg : {-0.05, -0.0499, 0.02}) {
+    const twin::Model one = gap::modelWith(plain, heavy(0.05, 0.03), {}).model;
+    const auto [with_kg, with_m] = com(one);
+    const auto [kg, m] = com(gap::modelWith(one, heavy(second_kg, -0.01), {}).model);
+    EXPECT_NEAR(kg, was_kg + 0.05 + second_kg, 1e-9);
+    EXPECT_NEAR(kg * m, with_kg * with_m + second_kg * (with_m - 0.01), 1e-9) << was_m;
+  }
 }
 
 TEST(BodyAdditions, FloorTiltSolesAndLateSensorsAreKeys) {
