@@ -70,8 +70,9 @@ std::string mujocoText(const JointText& joint, const MujocoFields& f) {
   std::string text = "<mujoco model=\"" + joint.settings.joint + "\">\n" + xmlComments(joint.head, "  ");
   text += xmlComments({"Torque off: set gainprm and biasprm of its actuators to 0, and back again."}, "  ");
   text += "  <compiler angle=\"radian\" inertiafromgeom=\"false\"/>\n";
+  const std::string flag = f.sensor_noise > 0 ? "><flag sensornoise=\"enable\"/></option>\n" : "/>\n";  // default: none
   text += "  <option" + attribute("timestep", f.timestep) + " integrator=\"Euler\" gravity=\"0 0 " +
-          shortest(-joint.arm.gravity_m_s2) + "\"/>\n";
+          shortest(-joint.arm.gravity_m_s2) + "\"" + flag;
   text += "  <worldbody>\n" + body(joint, f) + "  </worldbody>\n";
   text += "  <actuator>\n" + mujocoActuators(joint, f) + "  </actuator>\n";
   text += "  <sensor>\n" +

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "gap/export/export_rig.hpp"
 #include "support/temporary_folder.hpp"
@@ -43,6 +44,7 @@ class RealMujoco {
   /// Of the link.
   [[nodiscard]] double link() const { return data_->qpos[0] + (model_->nq > 1 ? data_->qpos[1] : 0); }
   [[nodiscard]] double gear() const { return data_->qpos[0]; }
+  [[nodiscard]] double sensed() const { return data_->sensordata[0]; }
   [[nodiscard]] const mjModel& model() const { return *model_; }
 
  private:
@@ -127,6 +129,19 @@ TEST(ExportMujoco, AMotorOfSpeedMovesAsInMujoco) {
   Believed model;
   model.bySpeed().friction();
   EXPECT_LT(difference(model, 0.3), kSame);
+}
+
+TEST(ExportMujoco, TheEncoderReadsWithNoise) {
+  RealMujoco real{exportTo(Target::kMujoco, Believed{}.get(), forArm()).text};
+  real.reset(0.2);
+  double square = 0;
+  constexpr int kSteps = 100;
+  for (int i = 0; i < kSteps; ++i) {
+    const double before = real.link();  // sensors are read before a step moves the joint
+    real.step(true, 0.2);
+    square += std::pow(real.sensed() - before, 2) / kSteps;
+  }
+  EXPECT_NEAR(std::sqrt(square), 2 * std::numbers::pi / 4096 / std::sqrt(12.0), 1e-4);
 }
 
 // MuJoCo reads URDF too.
