@@ -88,7 +88,7 @@ void RobotBody::Parts::physicsStep(const Drives& drives) noexcept {
     if (model.body.battery_resistance_ohm > 0) sagBattery();
     for (std::size_t i = 0; i < kJoints; ++i) {
       ServoDrive drive = drives[i];
-      drive.supply_v = std::max(0.0, drive.supply_v - battery_drop_v);
+      drive.supply_v = std::max(drive.supply_v - battery_drop_v, 0.0);  // in this order, NaN (unknown) stays NaN
       servos[i].firmware(drive, torques.encoderRad(servos[i], i, data.qpos[map.qpos[i]]), data.qvel[map.dof[i]]);
     }
   }

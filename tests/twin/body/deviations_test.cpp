@@ -1,5 +1,8 @@
 // What a model file changes in the body: masses of links, soles, slope of the floor, sensors' filter and delay,
 // battery.
+#include <cmath>
+#include <limits>
+
 #include "twin/body/link_inertia.hpp"
 #include "twin/body/placing.hpp"
 #include "twin/body/support.hpp"
@@ -130,6 +133,14 @@ TEST(BatteryOfAModel, SagsByTheCurrentOfAllServos) {
   RobotBody stiff{modelOf(""), {.ball = Ball::kNone, .clamped_up = ClampedUp{0, 1, 0}}};
   run(stiff, holding(far), 0.02);
   EXPECT_EQ(stiff.state().battery_drop_v, 0);
+}
+
+TEST(BatteryOfAModel, LeavesAnUnknownSupplyUnknown) {
+  RobotBody body{modelOf("battery_resistance = 0.3 ohm\n"), {.ball = Ball::kNone, .clamped_up = ClampedUp{0, 1, 0}}};
+  Drives drives = limp();  // without torque, the supply moves nothing
+  for (ServoDrive& drive : drives) drive.supply_v = std::numeric_limits<double>::quiet_NaN();
+  run(body, drives, 0.01);
+  for (const JointMotion& joint : body.state().joint) EXPECT_TRUE(std::isnan(joint.supply_v));
 }
 
 TEST(BatteryOfAModel, DoesNotOscillateAtFullLoad) {
