@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "core/text/printable.hpp"
@@ -49,25 +50,27 @@ std::string lockOwner(const std::string& path) {
   return {};
 }
 
+constexpr std::string_view kRuntime = "darwinop-runtime";
+constexpr std::size_t kLongestName = 15;  // of a process, in the kernel
+
 std::string processName(const std::string& pid) {
-  if (pid == std::to_string(::getpid())) return "this process";
   std::string name;
   std::getline(std::ifstream{"/proc/" + pid + "/comm"}, name);
-  // A process chooses its name.
-  return std::string{"process "}.append(pid).append(" (").append(text::printable(name)).append(")");
+  if (name == kRuntime.substr(0, kLongestName)) return std::string{kRuntime};
+  return text::printable(name);  // a process chooses its name
 }
 
-/// "process 1234 (darwinop-runtime)": who has locked the port, otherwise who has it open: the robot behind a pty has it
-/// open as well. Empty: the descriptors of other users' processes are not readable.
+/// Id of the process that has locked the port, otherwise of one that has it open: the robot behind a pty has it open as
+/// well. Empty: the descriptors of other users' processes are not readable.
 std::string holder(const std::string& path) {
-  if (const std::string pid = lockOwner(path); !pid.empty()) return processName(pid);
+  if (std::string pid = lockOwner(path); !pid.empty()) return pid;
   std::error_code error;
   const std::string real = fs::canonical(path, error).string();
   if (error) return {};
   for (fs::directory_iterator it{"/proc", error}, end; !error && it != end; it.increment(error)) {
-    const std::string pid = it->path().filename().string();
+    std::string pid = it->path().filename().string();
     if (pid.find_first_not_of("0123456789") != std::string::npos || !holds(it->path(), real)) continue;
-    return processName(pid);
+    return pid;
   }
   return {};
 }
@@ -83,14 +86,18 @@ std::string choices() {
 }
 
 std::string inUse(const std::string& path) {
-  const std::string who = holder(path);
-  if (who.empty()) return path + kPortInUse + "another program: find it with `sudo fuser -v " + path + "` and stop it";
-  if (who.find("(darwinop-runtim") != std::string::npos)  // the kernel keeps 15 letters of a name
-    return path + kPortInUse + "the daemon, " + who + ": use --robot runtime, or stop it first";
-  return path + kPortInUse + who + ": stop it first";
+  const std::string pid = holder(path), in_use = path + kPortInUse;
+  if (pid.empty()) return in_use + "another program: find it with `sudo fuser -v " + path + "` and stop it";
+  if (pid == std::to_string(::getpid())) return in_use + "this process: stop it first";
+  const std::string name = processName(pid);
+  return in_use + "process " + pid + " (" + name + "): " + (name == kRuntime ? howToStopRuntime(pid) : "stop it first");
 }
 
 }  // namespace
+
+std::string howToStopRuntime(const std::string& pid) {
+  return "stop it with `darwinop supervisor --stop`, or `kill " + pid + "` where no supervisor runs";
+}
 
 bool mayComeYet(const OpenAttempt& failed) {
   switch (failed.error) {

@@ -136,6 +136,18 @@ TEST(OpenSerial, EscapesTheNameThatTheProcessAtThePortGaveItself) {
   EXPECT_THAT(said, testing::Not(HasSubstr("\x1b")));
 }
 
+TEST(OpenSerial, SaysHowToStopTheRuntimeWhoseNameTheKernelCutsAt15Letters) {
+  const Pty pty;
+  const runtime::Child other{[&] {
+    prctl(PR_SET_NAME, "darwinop-runtime");
+    (void)openSerial(pty.path());
+  }};
+  const std::string pid = std::to_string(other.pid());
+  EXPECT_EQ(explain(pty.path(), openSerial(pty.path())),
+            pty.path() + kPortInUse + "process " + pid + " (darwinop-runtime): " + howToStopRuntime(pid));
+  EXPECT_THAT(howToStopRuntime("7"), HasSubstr("`kill 7`"));
+}
+
 TEST(OpenSerial, DoesNotChangeAPortInUse) {
   Pty pty;
   const OpenFile first{openSerial(pty.path()).fd};
