@@ -95,16 +95,20 @@ int calibrateImu(const CalibrateOptions& given) {
 }
 
 int calibrateByHand(const CalibrateOptions& given) {
+  if (given.yes) throw std::runtime_error(messages::kYesByHand);
   std::vector<Joint> joints;
   for (const std::string& name : given.joints) {
     const auto joint = findJoint(jointName(name));
     if (!joint) throw std::runtime_error(name + messages::kNoSuchJoint);
     joints.push_back(*joint);
   }
-  calibrate::OpenedRobot robot = calibrate::openRobot(given.robot, given.file, given.yes);
+  calibrate::OpenedRobot robot = calibrate::openRobot(given.robot, given.file, false);
   const std::vector<calibrate::HeldJoint> held =
       calibrate::readHeldJoints(*robot.link, joints, std::cin, endRequested(), std::cout);
-  if (endRequested() || held.empty()) return kExitNothing;
+  if (endRequested() || held.empty()) {
+    std::cerr << "\ndarwinop calibrate: " << messages::kNoJointRead << '\n';
+    return kExitNothing;
+  }
   std::cout << calibrate::asText(held, robot.file.offsets);
   return calibrate::keep(given, calibrate::fileToWrite(robot, given.file), "Offsets",
                          calibrate::iniValues(held, robot.file.offsets, calibrate::timeText("%Y-%m-%d")));
@@ -142,6 +146,7 @@ int command(int count, char** arguments) {
   joints.add_option("--model", a.model, "twin model with the masses of the links")->capture_default_str();
   CLI::App& by_hand = *app.add_subcommand("by-hand", "zero offsets of limp joints that you hold at zero");
   describe(by_hand, a);
+  by_hand.get_option("--yes")->group("");  // refused
   by_hand.add_option("JOINT", a.joints, "names of joints, e.g. Neck FootR")->required();
   try {
     app.parse(count, arguments);

@@ -19,11 +19,13 @@ inline constexpr const char* kNoImu =
     "without a board this robot has no gyroscope and no accelerometer; zero offsets: darwinop calibrate by-hand";
 inline constexpr const char* kTooFewPostures =
     "these postures do not separate bias, scale and mounting; nothing is written. Repeat with all six postures";
+inline constexpr const char* kRuntimeRunsHere = "a runtime is running here (pid ";
 inline constexpr const char* kOtherLoop =
     ": the loop of this robot runs elsewhere and reads its own robot.ini; stop the runtime and name the serial port, "
-    "on "
-    "the robot's computer or with the CM-730's USB cable in this one";
+    "on the robot's computer or with the CM-730's USB cable in this one";
 inline constexpr const char* kNeedsHands = "--yes is for twins: a person has to hold this robot in each posture";
+inline constexpr const char* kYesByHand = "by-hand asks for each joint: leave --yes out";
+inline constexpr const char* kNoJointRead = "no joint was read; nothing written";
 inline constexpr const char* kNotDriven = "the robot does not let itself be driven; check it with darwinop doctor";
 inline constexpr const char* kNothingWritten = "nothing written";
 

@@ -10,7 +10,9 @@
 #include "connect/lockstep_robot.hpp"
 #include "connect/setting.hpp"
 #include "connect/twin_library.hpp"
+#include "hal/cm730/serial_open.hpp"
 #include "hal/text_file.hpp"
+#include "runtime/daemon_link.hpp"
 #include "safety/config.hpp"
 
 namespace darwinop::calibrate {
@@ -31,6 +33,11 @@ connect::RobotFile fileNamed(const std::string& path) {
   return text ? connect::parseRobotFile(*text, path) : connect::RobotFile{};
 }
 
+std::string runsHere(const std::string& pid) {
+  return messages::kRuntimeRunsHere + pid + "): " + cm730::howToStopRuntime(pid) +
+         "; then name the serial port with --robot";
+}
+
 OpenedRobot openTwin(const std::string& model, const std::string& file) {
   OpenedRobot out{.link = {}, .stand = {}, .file = fileNamed(file), .is_twin = true};
   runtime::LoopConfig config;
@@ -48,6 +55,8 @@ OpenedRobot openRobot(const std::string& setting, const std::string& file, bool 
   // A file that does not exist yet: programs read the defaults, not another robot's file.
   if (!file.empty()) setenv("DARWINOP_ROBOT_FILE", readTextFile(file) ? file.c_str() : "/dev/null", 1);
   const connect::Setting robot = connect::readSetting(setting);
+  if (setting.empty() && robot.kind == connect::RobotKind::kDaemon)
+    throw std::runtime_error(runsHere(std::to_string(runtime::daemonPid(runtime::RuntimeFiles{}))));
   if (connect::loopIsElsewhere(robot)) throw std::runtime_error("--robot " + setting + messages::kOtherLoop);
   if (robot.kind == connect::RobotKind::kTwin) return openTwin(robot.model, file);
   if (unattended) throw std::runtime_error(messages::kNeedsHands);

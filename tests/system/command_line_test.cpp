@@ -1,0 +1,48 @@
+// Arguments and questions of the programs, as a user meets them in a terminal.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <string>
+
+#include "apps/calibrate/messages.hpp"
+#include "runtime/file_lock.hpp"
+#include "runtime/names.hpp"
+#include "support/shell.hpp"
+#include "system/rig.hpp"
+
+namespace darwinop {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+struct CommandLine : Rig {
+  /// `darwinop-NAME ARGUMENTS` in the test's folder, at the end of its input.
+  [[nodiscard]] Outcome call(const std::string& arguments) const {
+    return shell("cd " + folder_.string() + " && " DARWINOP_BIN "/darwinop-" + arguments + " </dev/null");
+  }
+};
+
+TEST_F(CommandLine, CalibrateWithoutARobotNamesTheRuntimeThatRunsHere) {
+  const auto daemon = runtime::FileLock::tryTake(runtime::RuntimeFiles{}.loop_lock);
+  ASSERT_TRUE(daemon);
+  const std::string pid = std::to_string(getpid());
+  for (const char* what : {"imu", "by-hand Neck"}) {
+    const Outcome refused = call(std::string{"calibrate "} + what);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.said, AllOf(HasSubstr(calibrate::messages::kRuntimeRunsHere + pid + ")"),
+                                    HasSubstr("`kill " + pid + "`"), HasSubstr("--robot")));
+  }
+}
+
+TEST_F(CommandLine, CalibrateByHandNeedsHands) {
+  const Outcome refused = call("calibrate by-hand --robot twin --yes Neck");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, HasSubstr(calibrate::messages::kYesByHand));
+  const Outcome ended = call("calibrate by-hand --robot twin Neck");
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.said, HasSubstr(calibrate::messages::kNoJointRead));
+}
+
+}  // namespace
+}  // namespace darwinop
