@@ -2,15 +2,18 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 
 #include "connect/robot_file.hpp"
+#include "connect/robot_file_finding.hpp"
 #include "connect/serial_bus.hpp"
 #include "connect/start_pose_findings.hpp"
 #include "doctor_report.hpp"
 #include "hal/cm730/diagnosis/host_checks.hpp"
 #include "hal/cm730/diagnosis/port_check.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
+#include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/serial_open.hpp"
 
 namespace {
@@ -29,16 +32,14 @@ constexpr const char* kExample =
     "Nothing moves; torque is not changed. Servo power is switched on if it is off.\n"
     "Exit code: 0 the robot can be driven (warnings allowed), 1 it cannot.";
 
-/// The robot described by robot.ini; a stock robot and an error finding if the file is invalid.
-connect::RobotFile readRobotFile(app::DoctorReport& report) {
+/// Nothing, and an error finding, if robot.ini is invalid.
+std::optional<connect::RobotFile> readRobotFile(app::DoctorReport& report) {
   try {
-    connect::RobotFile robot = connect::readRobotFile();
-    report.add({Finding::ok(connect::describe(robot))});
-    return robot;
+    return connect::readRobotFile();
   } catch (const std::exception& wrong) {
     report.add({Finding::of(cm730::Kind::kRobotFile, wrong.what(),
                             "correct the file (docs/robot-file.md); the file is ignored here")});
-    return {};
+    return std::nullopt;
   }
 }
 
@@ -47,11 +48,13 @@ int examine(const std::string& asked, bool fix, bool json) {
   report.begin("computer");
   report.add(cm730::diagnoseHost(cm730::measureHost(kLoopPriority)));
 
-  const connect::RobotFile robot = readRobotFile(report);
-
-  report.begin("port");
+  const std::optional<connect::RobotFile> file = readRobotFile(report);
+  const connect::RobotFile robot = file.value_or(connect::RobotFile{});
   const std::string wanted = asked.empty() ? robot.port.value_or("") : asked;
   const std::string path = cm730::choosePort(wanted, cm730::candidatePorts());
+  if (file) report.add({connect::robotFileFinding(robot, path)});
+
+  report.begin("port");
   const cm730::PortCheck check = cm730::checkPort(path);
   report.add(check.findings);
   cm730::ProbeReport probed;
@@ -71,6 +74,7 @@ int examine(const std::string& asked, bool fix, bool json) {
   options.permitted = robot.permitted;
   probed = cm730::probe(*check.port, options);
   report.add(probed.findings);
+  report.add(cm730::underTorqueRows(probed.facts));
   if (probed.facts.board.isKnown() && probed.facts.board.suppliesServos()) {
     report.begin("pose");
     report.add(connect::startPoseFindings(probed.facts, safety));

@@ -10,6 +10,7 @@
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/host_checks.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
+#include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/serial_port.hpp"
 
@@ -58,22 +59,14 @@ cm730::ProbeOptions probeOptions(const SerialRobot& robot) {
   return options;
 }
 
-/// Servos keep their torque across a restart of the computer, and no loop monitors them if this one does not start.
-std::string stiffServos(const cm730::RobotFacts& facts) {
-  const auto stiff = std::ranges::count_if(facts.servo, [](const auto& s) { return s.readable && s.torque_on; });
-  if (stiff == 0) return {};
-  return std::to_string(stiff) + " servos hold their joints, and nothing watches them: hold the robot and " +
-         (facts.board.absent ? "cut the servos' supply" : "press RESET on its back") + " (all servos go limp)\n";
-}
-
 cm730::ProbeReport check(ByteLine& line, const SerialRobot& robot, cm730::Purpose purpose) {
   cm730::ProbeReport report = cm730::probe(line, probeOptions(robot));
   report.findings.push_back(cm730::clockRow(cm730::clockResolution()));
   const cm730::Policy policy = cm730::decide(report.findings, purpose);
   if (policy < cm730::Policy::kWait) return report;
   const std::string text = "the robot on " + robot.port + messages::kCannotBeDriven + problemText(report.findings) +
-                           stiffServos(report.facts) + "Ask for the whole list with: darwinop doctor --robot " +
-                           robot.port;
+                           problemText(cm730::underTorqueRows(report.facts)) +
+                           "Ask for the whole list with: darwinop doctor --robot " + robot.port;
   if (policy == cm730::Policy::kWait) throw cm730::NotReady(text);
   throw std::runtime_error(text);
 }

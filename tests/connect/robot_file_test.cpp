@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "connect/messages.hpp"
+#include "connect/robot_file_finding.hpp"
 #include "connect/setting.hpp"
 #include "core/conversions.hpp"
 #include "core/text/ini_text.hpp"
@@ -35,6 +36,15 @@ std::string errorOf(const Action& action) {
 }
 std::string errorIn(const std::string& text) {
   return errorOf([&] { static_cast<void>(parseRobotFile(text, "robot.ini")); });
+}
+
+TEST(RobotFile, IsMissedAtARealPortOnly) {
+  const auto at = [](const RobotFile& robot, const char* port) { return robotFileFinding(robot, port); };
+  const cm730::Finding missed = at({}, "/dev/ttyUSB7");
+  EXPECT_EQ(missed.level, cm730::Level::kWarning);
+  EXPECT_THAT(missed.remedy, HasSubstr("DARWINOP_ROBOT_FILE"));
+  EXPECT_EQ(at({}, "/dev/pts/7").level, cm730::Level::kOk);
+  EXPECT_EQ(at(parseRobotFile("", "robot.ini"), "/dev/ttyUSB7").level, cm730::Level::kOk);
 }
 
 TEST(RobotFile, ReadsEverySection) {

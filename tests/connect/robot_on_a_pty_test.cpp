@@ -12,6 +12,7 @@
 #include "connect/robot_set_up.hpp"
 #include "connect/serial_bus.hpp"
 #include "core/conversions.hpp"
+#include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/serial_port.hpp"
 #include "hil-mocks/pty_host.hpp"
@@ -210,7 +211,9 @@ TEST(StartUp, ARefusedRobotThatIsStiffIsReportedAsSuch) {
     static_cast<void>(openSerialBus(robot.serial()));
     ADD_FAILURE();
   } catch (const std::runtime_error& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("1 servos hold their joints, and nothing watches them"));
+    cm730::RobotFacts facts;
+    facts.servo[index(Joint::kHead)].readable = facts.servo[index(Joint::kHead)].torque_on = true;
+    EXPECT_THAT(refused.what(), HasSubstr(cm730::toText(cm730::underTorqueRows(facts).at(0))));
   }
 }
 

@@ -4,10 +4,13 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
+#include "hal/cm730/diagnosis/start_policy.hpp"
 #include "support/text_of.hpp"
 #include "system/rig.hpp"
 
@@ -89,6 +92,22 @@ TEST_F(DoctorJson, AnExchangedPairNamesBothServos) {
 TEST_F(DoctorJson, AWarningDoesNotChangeTheExitCode) {
   startVirtualRobot("0 voltage 10.6\n");
   EXPECT_EQ(namesIn(examine(0)).at(0), "supply_low");
+}
+
+TEST_F(DoctorJson, AServoThatItsControllerLeftUnderTorqueIsAWarning) {
+  startVirtualRobot();
+  const auto has_warning = [](const json& document) {
+    const std::string_view kind = cm730::kKindTable[static_cast<std::size_t>(cm730::Kind::kUnderTorque)].finding;
+    for (const json& finding : document["findings"])
+      if (finding.value("kinds", json::array()) == json::array({kind})) return finding["level"] == "warn";
+    return false;
+  };
+  EXPECT_FALSE(has_warning(examine(0)));
+  const int controller = ::open(port().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  const std::array<std::uint8_t, 8> torque_on{0xFF, 0xFF, 20, 4, 3, 24, 1, 0xCB};  // of servo 20
+  ASSERT_EQ(::write(controller, torque_on.data(), torque_on.size()), 8);
+  ::close(controller);
+  EXPECT_TRUE(has_warning(examine(0)));
 }
 
 TEST_F(DoctorJson, ABoardWithoutBulkReadIsNamed) {

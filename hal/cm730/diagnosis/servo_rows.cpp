@@ -80,4 +80,14 @@ void addServoRows(const RobotFacts& facts, Findings& rows) {
   }
 }
 
+Findings underTorqueRows(const RobotFacts& facts) {
+  const auto stiff = std::ranges::count_if(facts.servo, [](const auto& s) { return s.readable && s.torque_on; });
+  if (stiff == 0) return {};
+  return {Finding::of(
+      Kind::kUnderTorque,
+      std::to_string(stiff) + (stiff == 1 ? " servo is" : " servos are") + " under torque and no loop watches them",
+      std::string{"hold the robot and "} + (facts.board.absent ? "cut the servos' supply" : "press RESET on its back") +
+          " (all servos go limp)")};
+}
+
 }  // namespace darwinop::cm730

@@ -24,4 +24,8 @@ const char* feedName(const BoardFacts& board);
 /// Twenty rows by id, or a single one if no servo answers.
 void addServoRows(const RobotFacts& facts, Findings& rows);
 
+/// Servos keep their torque when the loop is killed or the computer restarts. One finding, or none; only true while no
+/// loop uses the port.
+Findings underTorqueRows(const RobotFacts& facts);
+
 }  // namespace darwinop::cm730

@@ -31,6 +31,7 @@ enum class Purpose : std::uint8_t {
 
 enum class Kind : std::uint8_t {
   kRobotFile,
+  kNoRobotFile,
   kPortMissing,
   kPortUnusable,
   kPortLost,
@@ -78,6 +79,7 @@ enum class Kind : std::uint8_t {
   kServoOverheatBit,
   kServoOverloadBit,
   kServoErrorBit,
+  kUnderTorque,
   kStartPose,
   kCount,
 };
@@ -93,6 +95,8 @@ struct KindRow {
 // diagnosis.hpp.
 inline constexpr auto kKindTable = std::to_array<KindRow>({
     {Kind::kRobotFile, Policy::kRefuse, Policy::kRefuse, "a mistake in robot.ini", "its limits would not apply"},
+    {Kind::kNoRobotFile, Policy::kDrive, Policy::kDrive, "no robot.ini for a USB port",
+     "limits and offsets of a stock robot apply"},
     {Kind::kPortMissing, Policy::kWait, Policy::kWait, "port missing or in use", "USB comes late at boot"},
     {Kind::kPortUnusable, Policy::kRefuse, Policy::kRefuse, "port cannot be used",
      "permissions and paths need a person"},
@@ -168,6 +172,8 @@ inline constexpr auto kKindTable = std::to_array<KindRow>({
     {Kind::kServoOverloadBit, Policy::kDrive, Policy::kDrive, "overload bit set",
      "ends with the takeover, else fault servo_overload"},
     {Kind::kServoErrorBit, Policy::kDrive, Policy::kDrive, "another error bit set", "watched by the safety layer"},
+    {Kind::kUnderTorque, Policy::kDrive, Policy::kDrive, "servos under torque without a loop",
+     "taken over where they are"},
     {Kind::kStartPose, Policy::kDrive, Policy::kDrive, "not in the start pose", "moved there slowly"},
 });
 

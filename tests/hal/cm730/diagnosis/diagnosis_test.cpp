@@ -108,6 +108,19 @@ TEST(Diagnosis, AnUnsupportedModelOrWheelModeCannotBeDriven) {
   EXPECT_EQ(worst(rows), Level::kError);
 }
 
+TEST(Diagnosis, ServosUnderTorqueWithoutALoopAreOneWarning) {
+  RobotFacts facts = healthy();
+  EXPECT_TRUE(underTorqueRows(facts).empty());
+  for (ServoFacts& servo : facts.servo) servo.torque_on = true;
+  const Findings rows = underTorqueRows(facts);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].level, Level::kWarning);
+  EXPECT_THAT(rows[0].what, testing::StartsWith("20 "));
+  EXPECT_THAT(rows[0].remedy, HasSubstr("RESET"));
+  facts.board.absent = true;
+  EXPECT_THAT(underTorqueRows(facts)[0].remedy, testing::Not(HasSubstr("RESET")));
+}
+
 TEST(Diagnosis, ATorqueLimitOfZeroIsAShutdown) {
   RobotFacts facts = healthy();
   facts.servo[2].torque_limit = 0;

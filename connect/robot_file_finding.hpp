@@ -1,0 +1,15 @@
+// What the doctor says of robot.ini.
+#pragma once
+
+#include <string>
+
+#include "connect/robot_file.hpp"
+#include "hal/cm730/diagnosis/finding.hpp"
+
+namespace darwinop::connect {
+
+/// A robot at a real serial port without its robot.ini is a warning: its limits and offsets would not apply. A pty is a
+/// virtual robot, which needs none.
+cm730::Finding robotFileFinding(const RobotFile& robot, const std::string& port);
+
+}  // namespace darwinop::connect
