@@ -10,7 +10,7 @@
 #include "connect/lockstep_robot.hpp"
 #include "connect/setting.hpp"
 #include "connect/twin_library.hpp"
-#include "hal/cm730/serial_open.hpp"
+#include "hal/cm730/port_messages.hpp"
 #include "hal/text_file.hpp"
 #include "runtime/daemon_link.hpp"
 #include "safety/config.hpp"

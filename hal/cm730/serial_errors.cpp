@@ -12,10 +12,12 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
 #include "core/text/printable.hpp"
+#include "hal/cm730/port_messages.hpp"
 #include "hal/cm730/serial_open.hpp"
 
 namespace darwinop::cm730 {
@@ -97,6 +99,12 @@ std::string inUse(const std::string& path) {
 
 std::string howToStopRuntime(const std::string& pid) {
   return "stop it with `darwinop supervisor --stop`, or `kill " + pid + "` where no supervisor runs";
+}
+
+void requirePort(const std::string& path) {
+  const OpenAttempt tried = openSerial(path);
+  if (tried.fd < 0) throw std::runtime_error(explain(path, tried));
+  closeSerial(tried.fd);
 }
 
 bool mayComeYet(const OpenAttempt& failed) {

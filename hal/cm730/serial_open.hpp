@@ -30,9 +30,6 @@ void closeSerial(int fd);
 /// True: the port is missing or in use; retrying is useful.
 [[nodiscard]] bool mayComeYet(const OpenAttempt& failed);
 
-/// "stop it with ...": a runtime daemon of that process id.
-std::string howToStopRuntime(const std::string& pid);
-
 /// Error message with a remedy.
 std::string explain(const std::string& path, const OpenAttempt& failed);
 

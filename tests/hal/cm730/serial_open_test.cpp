@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "hal/cm730/diagnosis/port_check.hpp"
+#include "hal/cm730/port_messages.hpp"
 #include "hal/cm730/pty.hpp"
 #include "runtime/child.hpp"
 #include "support/text_of.hpp"
@@ -134,6 +135,14 @@ TEST(OpenSerial, EscapesTheNameThatTheProcessAtThePortGaveItself) {
   const std::string said = explain(path, openSerial(path));
   EXPECT_THAT(said, HasSubstr(std::to_string(other.pid()) + " (\\x1b[2Jfree)"));
   EXPECT_THAT(said, testing::Not(HasSubstr("\x1b")));
+}
+
+TEST(OpenSerial, APortThatIsRequiredStaysFree) {
+  const Pty pty;
+  requirePort(pty.path());
+  const OpenFile port{openSerial(pty.path()).fd};
+  EXPECT_GE(port.get(), 0);
+  EXPECT_THROW(requirePort(pty.path()), std::runtime_error) << "in use";
 }
 
 TEST(OpenSerial, SaysHowToStopTheRuntimeWhoseNameTheKernelCutsAt15Letters) {
