@@ -188,9 +188,9 @@ find_program() { # -> controller_program
 # Warnings are printed; errors end the command after the compiler's output.
 compile_controller() { # DIR
   refuse_python "$1"
-  find_robot_sdk
   name_controller "$1"
   check_controller_files "$controller_folder"
+  find_robot_sdk  # may ask the robot
   open_build_cache
   copy_sources
   choose_makefile

@@ -14,7 +14,9 @@ explain_ssh() {
   elif said "Could not resolve hostname"; then
     die "unknown host '$host'; specify the address as user@host, for example darwin@192.168.123.1"
   elif said "Connection refused"; then
-    die "$host $msg_refuses; check that sshd runs, and the port (-p)"
+    port_option=-p
+    [ "$action" != remote ] || port_option=--ssh-port  # of darwinop run and window
+    die "$host $msg_refuses; check that sshd runs, and the port ($port_option)"
   elif said "timed out" || said "No route to host" || said "Network is unreachable"; then
     die "$host does not answer; check that the robot is on and the cable or WLAN connected. Its address over the cable is 192.168.123.1"
   elif said "no matching" || said "Unable to negotiate"; then

@@ -191,7 +191,11 @@ scenario_nobody_there() {
   stop_sshd
   run_install --bundle "$v1"
   expect_status 1
-  expect_said "$msg_refuses"
+  expect_said "$msg_refuses.*\(-p\)"
+  status=0
+  "$installer" --remote "$login@$ADDRESS" < <(sleep 10) >"$LAB/out" 2>&1 || status=$?
+  expect_status 1
+  expect_said "$msg_refuses.*\(--ssh-port\)"
 }
 
 legacy_sshd() {
