@@ -17,6 +17,7 @@
 #include "calibrate_commands.hpp"
 #include "hal/signals.hpp"
 #include "hal/text_file.hpp"
+#include "parse_arguments.hpp"
 
 namespace {
 
@@ -148,11 +149,7 @@ int command(int count, char** arguments) {
   describe(by_hand, a);
   by_hand.get_option("--yes")->group("");  // refused
   by_hand.add_option("JOINT", a.joints, "names of joints, e.g. Neck FootR")->required();
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& mistake) {
-    return app.exit(mistake) == 0 ? kExitDone : kExitWrong;
-  }
+  if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   endOnSignals();
   if (by_hand.parsed()) return calibrateByHand(a);
   return joints.parsed() ? calibrate::calibrateJoints(a) : calibrateImu(a);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/demo/walk.hpp"
+#include "parse_arguments.hpp"
 #include "twin_look.hpp"
 
 namespace {
@@ -38,11 +39,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer("Example:\n  darwinop demo walk --record walk.mp4");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& mistake) {
-    return app.exit(mistake) == 0 ? 0 : kWrong;
-  }
+  if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   if (window) show.record.clear();
   return darwinop::demo::walk(show);
 }

@@ -15,6 +15,7 @@
 #include "hal/cm730/diagnosis/probe.hpp"
 #include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/serial_open.hpp"
+#include "parse_arguments.hpp"
 
 namespace {
 
@@ -30,7 +31,7 @@ constexpr const char* kExample =
     "  darwinop doctor --fix                  also corrects return delays and status levels\n"
     "  darwinop doctor --json                 one JSON document; keys: docs/doctor.md\n"
     "Nothing moves; torque is not changed. Servo power is switched on if it is off.\n"
-    "Exit code: 0 the robot can be driven (warnings allowed), 1 it cannot.";
+    "Exit code: 0 the robot can be driven (warnings allowed), 1 it cannot, 2 wrong arguments.";
 
 /// Nothing, and an error finding, if robot.ini is invalid.
 std::optional<connect::RobotFile> readRobotFile(app::DoctorReport& report) {
@@ -93,7 +94,7 @@ int main(int argc, char** argv) try {
   app.add_flag("--fix", fix, "write wrong servo settings (EEPROM) while torque is off");
   app.add_flag("--json", json, "one JSON document instead of lines");
   app.set_version_flag("--version", DARWINOP_VERSION);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   return examine(robot, fix, json);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());

@@ -16,6 +16,7 @@
 #include "safety/config.hpp"
 #if __has_include("experiments/logs/plot/plot.hpp")
 #include "experiments/logs/plot/plot.hpp"
+#include "parse_arguments.hpp"
 #define DARWINOP_CAN_PLOT
 #endif
 
@@ -91,11 +92,7 @@ int command(int count, char** arguments) {
 #else
   CLI::App& plots = *app.add_subcommand("plot", "plot recordings; on a PC only")->allow_extras();
 #endif
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& mistake) {
-    return app.exit(mistake) == 0 ? 0 : kExitWrong;
-  }
+  if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   if (lists.parsed()) return list();
   if (shows.parsed()) return show(a.experiment);
 #ifdef DARWINOP_CAN_PLOT

@@ -8,6 +8,7 @@
 #include "gap/parallel/parallel.hpp"
 #include "gap/parallel/ranks.hpp"
 #include "gap_commands.hpp"
+#include "parse_arguments.hpp"
 
 namespace {
 
@@ -177,11 +178,7 @@ int command(int count, char** arguments) {
   app.add_option("--threads", given.threads, "threads to use; else one a core");
   const std::vector<Row> rows = describe(app, given);
   app.footer("Example:\n  darwinop gap run tests/gap/cases/example --out repaired.ini");
-  try {
-    app.parse(inOrder(app, count, arguments));
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  if (const auto code = darwinop::app::parseArguments(app, inOrder(app, count, arguments))) return *code;
   gap::setThreads(given.threads == 0 ? gap::Ranks::cores() : given.threads);
   for (const Row& row : rows)
     if (row.parsed->parsed()) return gap::Ranks::isFirst() || isShared(row.command) ? row.command(given) : 0;

@@ -18,6 +18,7 @@
 #include "hal/net/web/server.hpp"
 #include "hal/signals.hpp"
 #include "monitor/messages.hpp"
+#include "parse_arguments.hpp"
 #include "remote/robot/observer_pictures.hpp"
 #include "runtime/clock.hpp"
 
@@ -105,7 +106,7 @@ int main(int count, char** arguments) try {
   app.footer(
       "Example, beside a running runtime:\n  darwinop monitor\n"
       "On a robot, for its network (docs/monitor.md):\n  darwinop monitor --listen 0.0.0.0 --allow 192.168.123.0/24");
-  CLI11_PARSE(app, count, arguments);
+  if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   return serveObservers(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop monitor: " << error.what() << '\n';

@@ -17,6 +17,7 @@
 #include "motion_play.hpp"
 #include "motion_plot.hpp"
 #include "motion_print.hpp"
+#include "parse_arguments.hpp"
 
 namespace {
 
@@ -168,11 +169,7 @@ int run(int argc, char** argv) {
       "the "
       "robot ended 'play', 2 invalid arguments or file, 3 'play' needs --yes, 130 "
       "Ctrl-C.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& mistake) {
-    return app.exit(mistake) == 0 ? 0 : kWrong;
-  }
+  if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   return action(a);
 }
 

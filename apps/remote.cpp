@@ -17,6 +17,7 @@
 #include "hal/diagnostics.hpp"
 #include "hal/net/bounded_log.hpp"
 #include "hal/signals.hpp"
+#include "parse_arguments.hpp"
 #include "remote/jpeg/black_image.hpp"
 #include "remote/robot/link_port.hpp"
 #include "remote/server/messages.hpp"
@@ -133,7 +134,7 @@ int main(int count, char** arguments) try {
       "Example, without a robot:\n  darwinop remote --robot virtual\n"
       "On a robot, for a simulator on a PC of its network (docs/remote-webots.md):\n"
       "  darwinop remote --listen 0.0.0.0 --allow 192.168.123.0/24");
-  CLI11_PARSE(app, count, arguments);
+  if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   return serveRemote(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop remote: " << error.what() << '\n';

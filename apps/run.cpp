@@ -18,6 +18,7 @@
 #include "hal/body_library.hpp"
 #include "hal/net/ssh/session.hpp"
 #include "hal/net/ssh/target.hpp"
+#include "parse_arguments.hpp"
 #include "runtime/controller_run.hpp"
 #include "ssh_login.hpp"
 
@@ -120,8 +121,12 @@ int main(int count, char** arguments) try {
   addSshOptions(app, ssh);
   app.footer("Example, without a robot:\n  darwinop run --robot virtual build/release/controllers/01_hello_head");
   app.allow_extras();  // other arguments are passed to the controller in this order
-  CLI11_PARSE(app, count, arguments);
+  if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   request.command = app.remaining();
+  if (!request.command.empty() && request.command.front() != "--" && request.command.front().starts_with('-')) {
+    std::cerr << "darwinop run: unknown option " << request.command.front() << "; see darwinop run --help\n";
+    return darwinop::app::kWrongArguments;
+  }
   const auto all_theirs = std::find(request.command.begin(), request.command.end(), "--");
   if (all_theirs != request.command.end()) request.command.erase(all_theirs);
   if (request.command.empty()) {

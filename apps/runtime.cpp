@@ -14,6 +14,7 @@
 #include "connect/wait_for_bus.hpp"
 #include "hal/diagnostics.hpp"
 #include "hal/signals.hpp"
+#include "parse_arguments.hpp"
 #include "runtime/daemon.hpp"
 #include "runtime/messages.hpp"
 #include "runtime/operator.hpp"
@@ -142,7 +143,7 @@ int main(int count, char** arguments) try {
       "Example, without a robot:\n  darwinop virtual-robot --link /tmp/robot &\n"
       "  darwinop runtime --robot /tmp/robot &\n  darwinop run --robot runtime "
       "build/release/controllers/01_hello_head");
-  CLI11_PARSE(app, count, arguments);
+  if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   return carryOut(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop runtime: " << error.what() << '\n';

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hal/diagnostics.hpp"
+#include "parse_arguments.hpp"
 #include "supervisor/ask.hpp"
 
 namespace {
@@ -55,7 +56,7 @@ int main(int count, char** arguments) try {
       if (one != other) one->excludes(other);
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer("Example, without a robot: see docs/supervisor.md");
-  CLI11_PARSE(app, count, arguments);
+  if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   return carryOut(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop supervisor: " << error.what() << '\n';

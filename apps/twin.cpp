@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/text_file.hpp"
+#include "parse_arguments.hpp"
 #include "twin/body/robot_body.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/model.hpp"
@@ -121,11 +122,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer("Example:\n  darwinop twin view build/release/controllers/01_hello_head");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& mistake) {
-    return app.exit(mistake) == 0 ? 0 : kWrong;
-  }
+  if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   if (view.parsed()) return twin::show(a.show);
   if (picture.parsed()) return drawPicture(a);
   return models.parsed() ? printModels() : printEffects();

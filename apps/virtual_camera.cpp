@@ -26,6 +26,7 @@
 #include "hil-mocks/camera/frame_painter.hpp"
 #include "hil-mocks/camera/picture_folder.hpp"
 #include "hil-mocks/camera/test_pattern.hpp"
+#include "parse_arguments.hpp"
 
 namespace {
 
@@ -160,7 +161,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", DARWINOP_VERSION);
   char** const dashes = std::find_if(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
   if (dashes != argv + argc) arguments.command.assign(dashes + 1, argv + argc);
-  CLI11_PARSE(app, static_cast<int>(dashes - argv), argv);
+  if (const auto code = darwinop::app::parseArguments(app, static_cast<int>(dashes - argv), argv)) return *code;
   return serve(arguments);
 }
 

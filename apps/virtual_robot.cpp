@@ -27,6 +27,7 @@
 #include "hil-mocks/torque_on_counter.hpp"
 #include "virtual_robot_report.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
+#include "parse_arguments.hpp"
 #include "virtual_robot_camera.hpp"
 #endif
 
@@ -184,7 +185,7 @@ int run(int argc, char** argv) {
   Arguments arguments;
   describe(app, arguments);
   app.set_version_flag("--version", DARWINOP_VERSION);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   return serve(arguments);
 }
 

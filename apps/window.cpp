@@ -16,6 +16,7 @@
 #include "hal/signals.hpp"
 #include "managers/motion/pages/own_pages.hpp"
 #include "monitor/messages.hpp"
+#include "parse_arguments.hpp"
 #include "runtime/clock.hpp"
 #include "ssh_login.hpp"
 #include "window/doctor/doctor_channel.hpp"
@@ -161,7 +162,7 @@ int main(int count, char** arguments) try {
       "Example, without a robot:\n  darwinop window build/release/controllers/05_walk\n"
       "Beside a running runtime:\n  darwinop window --robot runtime\n"
       "A robot elsewhere:\n  darwinop window --robot tcp://darwin@192.168.123.1");
-  CLI11_PARSE(app, count, arguments);
+  if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   return openWindow(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop window: " << error.what() << '\n';

@@ -44,5 +44,19 @@ TEST_F(CommandLine, CalibrateByHandNeedsHands) {
   EXPECT_THAT(ended.said, HasSubstr(calibrate::messages::kNoJointRead));
 }
 
+TEST_F(CommandLine, WrongArgumentsEndEveryProgramWithStatus2) {
+  for (const char* name : {"calibrate", "demo", "doctor", "experiment", "gap", "monitor", "motion", "remote", "run",
+                           "runtime", "supervisor", "twin", "virtual-camera", "virtual-robot", "window"}) {
+    EXPECT_EQ(call(std::string{name} + " --no-such-option").status, 2) << name;
+    EXPECT_EQ(call(std::string{name} + " --help").status, 0) << name;
+  }
+}
+
+TEST_F(CommandLine, RunNamesAnOptionThatItDoesNotHave) {
+  const Outcome refused = call("run --robt virtual controller");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, HasSubstr("option --robt;"));
+}
+
 }  // namespace
 }  // namespace darwinop
