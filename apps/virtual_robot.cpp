@@ -22,6 +22,7 @@
 #include "hal/signals.hpp"
 #include "hal/text_file.hpp"
 #include "hil-mocks/fault_script.hpp"
+#include "hil-mocks/link_owner.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
 #include "hil-mocks/torque_on_counter.hpp"
@@ -139,6 +140,8 @@ void report(const hil::VirtualRobot& robot, std::uint64_t torque_on, double seco
 }
 
 int serve(const Arguments& a) {
+  if (const std::string owner = a.link.empty() ? std::string{} : hil::linkOwner(a.link); !owner.empty())
+    throw std::runtime_error(a.link + hil::kLinkTaken + owner + "; end it or choose another --link");
   sigset_t signals = darwinop::blockEndSignals();
   sigaddset(&signals, SIGUSR1);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before the first thread: only waitForEnd() receives them

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/calibrate/messages.hpp"
+#include "hil-mocks/link_owner.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/names.hpp"
 #include "support/shell.hpp"
@@ -56,6 +57,17 @@ TEST_F(CommandLine, RunNamesAnOptionThatItDoesNotHave) {
   const Outcome refused = call("run --robt virtual controller");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.said, HasSubstr("option --robt;"));
+}
+
+TEST_F(CommandLine, AVirtualRobotKeepsItsLink) {
+  startVirtualRobot();
+  const std::filesystem::path terminal = std::filesystem::read_symlink(port());
+  const Outcome second = call("virtual-robot --for 0.1 --link " + port());
+  EXPECT_EQ(second.status, 1);
+  EXPECT_THAT(second.said, HasSubstr(port() + hil::kLinkTaken + std::to_string(virtual_robot_->pid()) + ";"));
+  EXPECT_EQ(std::filesystem::read_symlink(port()), terminal);
+  virtual_robot_.reset();  // killed: its link stays
+  EXPECT_EQ(call("virtual-robot --for 0.1 --link " + port()).status, 0);
 }
 
 }  // namespace
