@@ -83,6 +83,8 @@ int reportEnd(RunOutcome outcome, const std::string& record) {
 }  // namespace
 
 int run(ExperimentRequest a) {
+  if (std::filesystem::is_regular_file(a.record))
+    throw std::runtime_error(a.record + " exists; give another file with --record");
   const Experiment experiment = readExperiment(findExperiment(a.experiment));
   if (const char* usual = std::getenv("DARWINOP_ROBOT"); a.robot.empty() && usual != nullptr) a.robot = usual;
   const connect::Setting robot = connect::readSetting(a.robot);

@@ -8,6 +8,7 @@
 #include "gap/case/robot/joint_case.hpp"
 #include "gap/case/write_case.hpp"
 #include "gap_commands.hpp"
+#include "gap_files.hpp"
 #include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
@@ -48,9 +49,10 @@ void makeRawCase(const Arguments& given, const std::string& raw, const std::stri
 }
 
 int makeCase(const Arguments& given) {
+  if (!given.to_bam.empty()) return toBam(given);
+  (void)newCaseFile(given.out);
   if (!given.from_bam.empty()) return fromRaw(given, given.from_bam);
   if (!given.from_csv.empty()) return fromRaw(given, given.from_csv);
-  if (!given.to_bam.empty()) return toBam(given);
   if (given.recordings.empty()) throw std::runtime_error("give recordings, or --from-bam FOLDER, or --from-csv FOLDER");
   JointCaseRequest request;
   if (!given.model.empty()) request.model = given.model;

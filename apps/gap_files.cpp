@@ -59,6 +59,12 @@ std::string textOf(const std::string& path) {
   return *text;
 }
 
+std::string newCaseFile(const std::string& folder) {
+  const fs::path file = fs::path{folder} / "case.json";
+  if (fs::exists(file)) throw std::runtime_error(file.string() + " exists; give another folder with --out");
+  return file.string();
+}
+
 std::string reportFolder(const Arguments& given, const std::string& otherwise) {
   return given.report.empty() ? (fs::path{"gap-report"} / folderName(otherwise)).string() : given.report;
 }

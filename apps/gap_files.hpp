@@ -10,6 +10,9 @@ namespace darwinop::gap {
 /// Throws std::runtime_error with the path and the reason.
 std::string textOf(const std::string& path);
 
+/// PATH of the case.json that a command will write into the folder; throws std::runtime_error if it exists.
+std::string newCaseFile(const std::string& folder);
+
 /// That of --report, else one under gap-report that is named after `otherwise`.
 std::string reportFolder(const Arguments& given, const std::string& otherwise);
 /// Says where the report is, and opens it where a person sits in front of a screen.

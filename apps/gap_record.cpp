@@ -15,6 +15,7 @@
 #include "experiments/logs/read_log.hpp"
 #include "gap/record/recording_check.hpp"
 #include "gap_commands.hpp"
+#include "gap_files.hpp"
 #include "hal/process/child_process.hpp"
 #include "hal/write_text_file.hpp"
 #include "safety/config.hpp"
@@ -69,8 +70,10 @@ int Recorder::run(const PlannedRecording& plan) const {
     setenv(kClamp, text::formatted("%.17g %.17g %.17g", (*plan.up)[0], (*plan.up)[1], (*plan.up)[2]).c_str(), 1);
   else
     unsetenv(kClamp);
+  const fs::path recording = fs::path{given_.out} / plan.file;
+  fs::remove(recording);  // of a former attempt: the experiment replaces none
   process::Start start{.command = {process::programBeside("darwinop-experiment"), "run", plan.experiment, "--yes",
-                                   "--record", (fs::path{given_.out} / plan.file).string()}};
+                                   "--record", recording.string()}};
   if (!given_.robot.empty()) start.command.insert(start.command.end(), {"--robot", given_.robot});
   start.streams = {process::Stream{}, process::Stream::nothing()};  // the plan; what happens is on stderr
   return process::ChildProcess{start}.wait().shellStatus();
@@ -143,8 +146,7 @@ int recordBody(const Arguments& asked) {
   if (const char* const usual = std::getenv("DARWINOP_ROBOT"); given.robot.empty() && usual != nullptr)
     given.robot = usual;
   const connect::Setting robot = settingOf(given.robot);
-  const fs::path file = fs::path{given.out} / "case.json";
-  if (fs::exists(file)) throw std::runtime_error(file.string() + " exists; give another folder with --out");
+  const std::string file = newCaseFile(given.out);
   fs::create_directories(given.out);
   // Ctrl-C ends the experiment, gently; not this program. A handler of ours is not inherited by it.
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, [](int) {});
@@ -159,7 +161,7 @@ int recordBody(const Arguments& asked) {
     }
   const auto kind = robot.kind == RobotKind::kTwin ? RecordedRobot::kSimulated : RecordedRobot::kPhysical;
   const std::string name = fs::path{given.out}.lexically_normal().filename().string();
-  writeTextFile(file.string(), bodyCaseJson(name.empty() ? "robot" : name, model, kind, recorder.made()));
+  writeTextFile(file, bodyCaseJson(name.empty() ? "robot" : name, model, kind, recorder.made()));
   std::cerr << "darwinop gap: " << given.out << " is the case; next: darwinop gap run " << given.out << '\n';
   return 0;
 }

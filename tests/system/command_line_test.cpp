@@ -9,6 +9,7 @@
 #include "runtime/file_lock.hpp"
 #include "runtime/names.hpp"
 #include "support/shell.hpp"
+#include "support/text_of.hpp"
 #include "system/rig.hpp"
 
 namespace darwinop {
@@ -68,6 +69,17 @@ TEST_F(CommandLine, AVirtualRobotKeepsItsLink) {
   EXPECT_EQ(std::filesystem::read_symlink(port()), terminal);
   virtual_robot_.reset();  // killed: its link stays
   EXPECT_EQ(call("virtual-robot --for 0.1 --link " + port()).status, 0);
+}
+
+TEST_F(CommandLine, NeitherRecordingsNorCasesAreReplaced) {
+  std::ofstream{file("keep.csv")} << "kept";
+  EXPECT_EQ(call("experiment run chirp --robot virtual --record keep.csv").status, 2);
+  EXPECT_EQ(textOf(file("keep.csv")), "kept");
+  std::filesystem::create_directory(file("mine"));
+  std::ofstream{file("mine/case.json")} << "kept";
+  const Outcome refused = call("gap case keep.csv --out mine");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, HasSubstr("mine/case.json exists"));
 }
 
 }  // namespace
