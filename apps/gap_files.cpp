@@ -1,5 +1,6 @@
 #include "gap_files.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cctype>
@@ -63,6 +64,14 @@ std::string newCaseFile(const std::string& folder) {
   const fs::path file = fs::path{folder} / "case.json";
   if (fs::exists(file)) throw std::runtime_error(file.string() + " exists; give another folder with --out");
   return file.string();
+}
+
+void requireWritable(const std::string& path) {
+  const bool is_new = !fs::exists(path);
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+  close(file);
+  if (is_new) unlink(path.c_str());
 }
 
 std::string reportFolder(const Arguments& given, const std::string& otherwise) {

@@ -12,6 +12,8 @@ std::string textOf(const std::string& path);
 
 /// PATH of the case.json that a command will write into the folder; throws std::runtime_error if it exists.
 std::string newCaseFile(const std::string& folder);
+/// Before a long computation: throws as writeTextFile() would after it. Nothing stays, and no file is changed.
+void requireWritable(const std::string& path);
 
 /// That of --report, else one under gap-report that is named after `otherwise`.
 std::string reportFolder(const Arguments& given, const std::string& otherwise);

@@ -16,6 +16,7 @@
 #include "gap/record/recording_check.hpp"
 #include "gap_commands.hpp"
 #include "gap_files.hpp"
+#include "hal/cm730/port_messages.hpp"
 #include "hal/process/child_process.hpp"
 #include "hal/write_text_file.hpp"
 #include "safety/config.hpp"
@@ -136,6 +137,7 @@ connect::Setting settingOf(const std::string& robot) {
     throw std::runtime_error("the loop of this robot runs elsewhere and records itself; give its serial port");
   if (setting.kind == RobotKind::kVirtual)
     throw std::runtime_error("the virtual robot has no weight; use twin, or twin:MODEL");
+  if (setting.kind == RobotKind::kSerial) cm730::requirePort(setting.port);  // before anyone clamps it
   return setting;
 }
 

@@ -61,12 +61,16 @@ int runRaw(Arguments given) {
   std::cerr << "darwinop gap: " << made << " is the case; its case.json has every number that was declared\n";
   given.folder = made;
   given.model.clear();  // the case has it
+  given.declared.clear();
   return run(given);
 }
 
 }  // namespace
 
 int run(const Arguments& given) {
+  if (!given.out.empty() && Ranks::isFirst()) requireWritable(given.out);
+  if (!given.declared.empty() && fs::exists(fs::path{given.folder} / "case.json"))
+    throw std::runtime_error(given.folder + " has a case.json; --declare is for raw logs: edit case.json instead");
   if (isRawFolder(given.folder)) return runRaw(given);
   if (isBodyCase(given.folder)) return Ranks::isFirst() ? runBody(given) : 0;
   const Case read = readGiven(given);

@@ -82,5 +82,16 @@ TEST_F(CommandLine, NeitherRecordingsNorCasesAreReplaced) {
   EXPECT_THAT(refused.said, HasSubstr("mine/case.json exists"));
 }
 
+TEST_F(CommandLine, GapRefusesBeforeItComputesOrAsks) {
+  std::filesystem::create_directory(file("mine"));
+  std::ofstream{file("mine/case.json")} << "{}";
+  EXPECT_THAT(call("gap run mine --declare kp=3").said, HasSubstr("mine has a case.json"));
+  EXPECT_THAT(call("gap run mine --out none/x.ini").said, HasSubstr("cannot write none/x.ini"));
+  const Outcome refused = call("gap record --robot /dev/ttyNOTHING --yes --out new");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, testing::StartsWith("darwinop gap: port /dev/ttyNOTHING"));
+  EXPECT_FALSE(std::filesystem::exists(file("new")));
+}
+
 }  // namespace
 }  // namespace darwinop
