@@ -9,9 +9,14 @@
 
 using namespace webots;
 
-// Value of "--seconds 10" as first argument; infinity without it.
+// Value of "--seconds 10"; infinity without arguments.
 static double secondsToRun(int argc, char** argv) {
-  return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
+  if (argc == 1) return INFINITY;
+  char* end = nullptr;
+  const double seconds = argc == 3 ? std::strtod(argv[2], &end) : 0;
+  if (argc == 3 && std::strcmp(argv[1], "--seconds") == 0 && end != argv[2] && *end == '\0') return seconds;
+  std::fprintf(stderr, "usage: 01_hello_head [--seconds N]\n");
+  std::exit(2);
 }
 
 int main(int argc, char** argv) {

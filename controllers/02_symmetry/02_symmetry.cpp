@@ -1,6 +1,7 @@
 // The right arm is limp; the left arm mirrors it when you move it. Ends after --seconds N, or with Ctrl-C.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -10,9 +11,14 @@
 
 using namespace webots;
 
-// Value of "--seconds 10" as first argument; infinity without it.
+// Value of "--seconds 10"; infinity without arguments.
 static double secondsToRun(int argc, char** argv) {
-  return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
+  if (argc == 1) return INFINITY;
+  char* end = nullptr;
+  const double seconds = argc == 3 ? std::strtod(argv[2], &end) : 0;
+  if (argc == 3 && std::strcmp(argv[1], "--seconds") == 0 && end != argv[2] && *end == '\0') return seconds;
+  std::fprintf(stderr, "usage: 02_symmetry [--seconds N]\n");
+  std::exit(2);
 }
 
 int main(int argc, char** argv) {

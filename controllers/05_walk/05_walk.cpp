@@ -30,6 +30,9 @@ static bool areKnown(int argc, char** argv) {
     const bool known = std::strcmp(word, "--seconds") == 0 || std::strcmp(word, "--x") == 0 ||
                        std::strcmp(word, "--y") == 0 || std::strcmp(word, "--a") == 0;
     if (!known || i + 1 == argc) return false;
+    char* end = nullptr;
+    std::strtod(argv[i + 1], &end);
+    if (end == argv[i + 1] || *end != '\0') return false;
   }
   return true;
 }
@@ -95,7 +98,7 @@ class Fall {
 int main(int argc, char** argv) {
   if (!areKnown(argc, argv)) {  // before the robot moves
     std::cerr << "usage: 05_walk [--seconds N] [--x X] [--y Y] [--a A]; without any of these, keys steer" << std::endl;
-    return EXIT_FAILURE;
+    return 2;
   }
   Robot robot;
   const int time_step = static_cast<int>(robot.getBasicTimeStep());

@@ -198,12 +198,14 @@ void Player::play(double end) {
 }
 
 int main(int argc, char** argv) {
-  const bool has_end = argc == 3 && std::strcmp(argv[1], "--seconds") == 0;
+  char* end = nullptr;
+  const double seconds = argc == 3 ? std::strtod(argv[2], &end) : INFINITY;
+  const bool has_end = argc == 3 && std::strcmp(argv[1], "--seconds") == 0 && end != argv[2] && *end == '\0';
   if (argc > 1 && !has_end) {  // before the robot moves
     std::cerr << "usage: 06_soccer [--seconds N]" << std::endl;
-    return EXIT_FAILURE;
+    return 2;
   }
   Player player;
-  player.play(has_end ? std::atof(argv[2]) : INFINITY);
+  player.play(seconds);
   return EXIT_SUCCESS;
 }

@@ -1,6 +1,7 @@
 // Announces by speech: lying on face, back or side, upright again, moved, START pressed, battery low. The texts are
 // also printed. Ends after --seconds N, or with Ctrl-C.
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <deque>
@@ -14,9 +15,14 @@
 
 using namespace webots;
 
-// Value of "--seconds 10" as first argument; infinity without it.
+// Value of "--seconds 10"; infinity without arguments.
 static double secondsToRun(int argc, char** argv) {
-  return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
+  if (argc == 1) return INFINITY;
+  char* end = nullptr;
+  const double seconds = argc == 3 ? std::strtod(argv[2], &end) : 0;
+  if (argc == 3 && std::strcmp(argv[1], "--seconds") == 0 && end != argv[2] && *end == '\0') return seconds;
+  std::fprintf(stderr, "usage: 07_talk [--seconds N]\n");
+  std::exit(2);
 }
 
 // Debounces a condition: it must hold for some time to become true, and be absent for the same time to become false.

@@ -93,5 +93,16 @@ TEST_F(CommandLine, GapRefusesBeforeItComputesOrAsks) {
   EXPECT_FALSE(std::filesystem::exists(file("new")));
 }
 
+TEST_F(CommandLine, ExamplesRefuseArgumentsThatTheyDoNotHave) {
+  for (const std::string name :
+       {"01_hello_head", "02_symmetry", "03_leds_and_buttons", "04_visual_tracking", "05_walk", "06_soccer", "07_talk"})
+    for (const char* arguments : {"--secnds 1", "--seconds abc", "--seconds", "--seconds 1 --loud"}) {
+      const Outcome refused = shell("DARWINOP_ROBOT=virtual timeout 5 " DARWINOP_EXAMPLES "/" + name + "/" + name +
+                                    " " + arguments + " </dev/null");
+      EXPECT_EQ(refused.status, 2) << name << " " << arguments;
+      EXPECT_THAT(refused.said, testing::StartsWith("usage: " + name + " [--seconds N]"));
+    }
+}
+
 }  // namespace
 }  // namespace darwinop

@@ -41,10 +41,12 @@ TEST_F(Soccer, AtABallThatRestsItIsKickedFarAway) {
 TEST_F(Soccer, AWordThatItDoesNotKnowMovesNothing) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{DARWINOP_SOCCER, "--help"},
                                                 {DARWINOP_SOCCER, "--seconds"},
+                                                {DARWINOP_SOCCER, "--seconds", "abc"},
+                                                {DARWINOP_WALK, "--seconds", "1s"},
                                                 {DARWINOP_WALK, "--help"},
                                                 {DARWINOP_WALK, "--seconds", "1", "--x"}}) {
     Program running{words, file("run.txt")};
-    EXPECT_EQ(running.wait(std::chrono::seconds{60}), 1);
+    EXPECT_EQ(running.wait(std::chrono::seconds{60}), 2);
     EXPECT_THAT(running.output(), HasSubstr("usage: ")) << words.back();
   }
 }
