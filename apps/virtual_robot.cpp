@@ -26,9 +26,9 @@
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
 #include "hil-mocks/torque_on_counter.hpp"
+#include "parse_arguments.hpp"
 #include "virtual_robot_report.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
-#include "parse_arguments.hpp"
 #include "virtual_robot_camera.hpp"
 #endif
 
