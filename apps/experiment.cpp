@@ -13,10 +13,10 @@
 #include "experiments/format/messages.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/reader.hpp"
+#include "parse_arguments.hpp"
 #include "safety/config.hpp"
 #if __has_include("experiments/logs/plot/plot.hpp")
 #include "experiments/logs/plot/plot.hpp"
-#include "parse_arguments.hpp"
 #define DARWINOP_CAN_PLOT
 #endif
 
