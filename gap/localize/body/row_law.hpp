@@ -9,4 +9,7 @@ namespace darwinop::gap {
 /// written last before it, at this encoder position. 0 where the joint is limp.
 double lawAt(const BodyCase& given, const Trajectory& joint, std::size_t row, double position_rad);
 
+/// The same with the goal and gain of the row in which they were `written`.
+double lawOf(const BodyCase& given, const Trajectory& joint, std::size_t written, double position_rad);
+
 }  // namespace darwinop::gap

@@ -149,6 +149,15 @@ TEST(BodyFloor, TheResistanceOfABatteryIsNamedByTheVoltageOfTheBoard) {
   for (BodyLog& log : low.logs)
     for (double& volt : log.board_v) volt -= 0.4;
   EXPECT_FALSE(identifyBattery(low));
+  BodyCase medians = withBattery(0.5);  // a recording's voltage is its median reading
+  for (BodyLog& log : medians.logs) {
+    std::vector<double> volts = log.board_v;
+    std::ranges::nth_element(volts, volts.begin() + std::ssize(volts) / 2);
+    log.battery_v = volts[volts.size() / 2];
+  }
+  const std::optional<FoundBattery> of_medians = identifyBattery(medians);
+  ASSERT_TRUE(of_medians);
+  EXPECT_NEAR(of_medians->resistance_ohm, 0.5, 0.05);
   BodyCase known = withBattery(0.5);
   known.joints.model.body.battery_resistance_ohm = 0.5;
   EXPECT_FALSE(identifyBattery(known)) << "the model has it";
