@@ -2,9 +2,6 @@
 
 #include <cmath>
 
-#include "gap/identify/body/held_out_motion.hpp"
-#include "gap/thresholds.hpp"
-
 namespace darwinop::gap {
 
 FloorErrors heldOutFloor(const BodyCase& given, const MovingImu& imu, const FloorModel& model) {
@@ -28,17 +25,6 @@ FloorErrors heldOutFloor(const BodyCase& given, const MovingImu& imu, const Floo
     }
   }
   return {std::sqrt(squares[0] / counts[0]), std::sqrt(squares[1] / counts[1]), std::sqrt(squares[2] / counts[2])};
-}
-
-double riseOf(const FloorErrors& after, const FloorErrors& before) {
-  return std::cbrt(after.joints / before.joints * after.gyro / before.gyro * after.accel / before.accel);
-}
-
-bool isVerified(const FloorErrors& before, const FloorErrors& after, bool by_gyro) {
-  const double noise = by_gyro ? stepOf(ImuSensor::kGyro) * std::hypot(0.5, 1 / std::sqrt(12.0)) : kEncoderNoise;
-  const double from = by_gyro ? before.gyro : before.joints, to = by_gyro ? after.gyro : after.joints;
-  const bool remains = to > thresholds::kRemainingFloors * noise;
-  return !remains || to < thresholds::kHopelessGapShare * from;
 }
 
 }  // namespace darwinop::gap

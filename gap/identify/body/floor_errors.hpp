@@ -11,11 +11,5 @@ struct FloorErrors {
 };
 
 FloorErrors heldOutFloor(const BodyCase& given, const MovingImu& imu, const FloorModel& model);
-/// Geometric mean of the ratios; NaN: nothing is held out.
-double riseOf(const FloorErrors& after, const FloorErrors& before);
-
-/// False: held-out logs show that the names stand for something else. More than kRemainingFloors remain, and more than
-/// kHopelessGapShare of the gap. `by_gyro`: only sensors deviate, which no joint shows.
-bool isVerified(const FloorErrors& before, const FloorErrors& after, bool by_gyro);
 
 }  // namespace darwinop::gap

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/identify/body/floor_agreement.hpp"
 #include "gap/identify/body/floor_search.hpp"
-#include "gap/identify/body/mechanics_fit.hpp"
 #include "gap/identify/body/stance_selection.hpp"
 #include "gap/localize/absorb.hpp"
 #include "gap/localize/body/floor_rows.hpp"
@@ -33,22 +33,17 @@ class FloorSearch {
         about_{withGyro(about)},
         residuals_{given, logs_, imu_, about_, ignored},
         open_from_{sigmasOfChance(thresholds::kFalseDiscoveries / static_cast<double>(other_rows + kFloorSignals))},
-        evaluator_{residuals_, about_} {
+        evaluator_{residuals_, about_},
+        unseen_{given, imu_, ignored} {
     out_.effects = effects_;
     out_.rows = rowsWith(residuals_, {}, about.imu), out_.rows_after = rowsWith(residuals_, {}, about_.imu);
-    before_ = out_.held_out_before = out_.held_out_after = heldOutFloor(given, imu_, about_);
+    out_.held_out_before = out_.held_out_after = heldOutFloor(given, imu_, about_);
     if (of_gyro_) out_.held_out_before = heldOutFloor(given, imu_, about);
     excess_of_none_ = excessOf({});
   }
 
   FloorSelection run() {
     while (isOpen(out_.rows_after) && out_.found.size() < thresholds::kMostFloorEffects && addNext()) useNoiseOfFound();
-    if (!out_.found.empty()) {
-      if (!isVerified(before_, out_.held_out_after, areOfSensors()))
-        dropAll();
-      else if (isOpen(out_.rows_after))
-        checkRemainder();
-    }
     if (of_gyro_) out_.found.insert(out_.found.begin(), *of_gyro_);
     return std::move(out_);
   }
@@ -66,9 +61,6 @@ class FloorSearch {
     std::vector<BodyRow> rows = floorRows(given_, residuals, evaluator_.tracesOf(set), imu);
     for (BodyRow& row : rows) row.open = row.significance > open_from_;
     return rows;
-  }
-  [[nodiscard]] bool areOfSensors() const {
-    return std::ranges::all_of(out_.found, [](const FoundFloor& one) { return one.placed.effect->is_of_sensor; });
   }
   static bool isOpenRow(const BodyRow& row) { return row.open; }
   static bool isOpen(const std::vector<BodyRow>& rows) { return std::ranges::any_of(rows, isOpenRow); }
@@ -97,8 +89,7 @@ class FloorSearch {
       out_.tried.push_back(best.fit.set.back());
       return false;
     }
-    const FloorErrors errors = heldOutFloor(given_, imu_, evaluator_.modelOf(best.fit.set));
-    if (riseOf(errors, out_.held_out_after) > thresholds::kHeldOutRise) {
+    if (isContradicted(now, best.fit.set)) {
       out_.tried.push_back(best.fit.set.back());
       return false;
     }
@@ -109,15 +100,19 @@ class FloorSearch {
     out_.found.push_back({.placed = {}, .sigmas = {}, .rivals = std::move(rivals)});
     for (std::size_t i = 0; i < out_.found.size(); ++i)
       out_.found[i].placed = best.fit.set[i], out_.found[i].sigmas = best.fit.sigmas[i];
-    out_.held_out_after = errors;
+    out_.held_out_after = heldOutFloor(given_, imu_, evaluator_.modelOf(best.fit.set));
     out_.rows_after = rowsWith(residuals_, setOf(out_.found));
     return true;
   }
 
-  void dropAll() {
-    for (const FoundFloor& one : out_.found) out_.tried.push_back(one.placed);
-    out_.found.clear();
-    out_.rows_after = rowsWith(residuals_, {}), out_.held_out_after = before_;
+  /// A log, for fits or held out, contradicts what the second set has beyond the first: under the noise of the second,
+  /// whose chaos and engines may be others. How much is left takes no name away: engines differ, and a walk forgets its
+  /// start slowly.
+  bool isContradicted(const FloorSet& without, const FloorSet& with) {
+    const FloorModel before = evaluator_.modelOf(without), after = evaluator_.modelOf(with);
+    about_next_ = std::make_unique<FloorResiduals>(given_, logs_, imu_, after, ignored_);
+    return refute(gainsOf(*about_next_, evaluator_.tracesOf(without), before.imu, after.imu)) ||
+           unseen_.refute(before, after);
   }
 
   /// What is left may be chaos of the model that was found, which its own repeats and engines show: a further name has
@@ -125,18 +120,10 @@ class FloorSearch {
   void useNoiseOfFound() {
     if (!isOpen(out_.rows_after)) return;
     const FloorSet found = setOf(out_.found);
-    about_found_ = std::make_unique<FloorResiduals>(given_, logs_, imu_, evaluator_.modelOf(found), ignored_);
+    about_found_ = std::move(about_next_);
     evaluator_.useNoiseOf(*about_found_);
     out_.rows_after = rowsWith(*about_found_, found);
     excess_of_none_ = excessOf({});
-  }
-
-  void checkRemainder() {
-    // An effect of sensors answers for their rows alone, which follow the joints': what the limbs do is not its.
-    const bool is_explained =
-        areOfSensors() ? std::none_of(out_.rows_after.begin() + kJoints, out_.rows_after.end(), isOpenRow)
-                       : excessOf(setOf(out_.found)) < (1 - thresholds::kExplainedGapShare) * excess_of_none_;
-    if (!is_explained) dropAll();
   }
 
   const BodyCase& given_;
@@ -148,11 +135,12 @@ class FloorSearch {
   std::optional<FoundFloor> of_gyro_;  // found first: by the kinematics of feet
   const FloorModel about_;
   const FloorResiduals residuals_;
+  std::unique_ptr<FloorResiduals> about_next_;   // noise of the candidate that was judged last
   std::unique_ptr<FloorResiduals> about_found_;  // noise of what was found, where rows are still open
   const double open_from_;
   FloorEvaluator evaluator_;
+  const UnseenFloor unseen_;
   FloorSelection out_;
-  FloorErrors before_;  // on held-out logs, of about_
   double excess_of_none_ = 0;
 };
 

@@ -113,14 +113,6 @@ TEST(BodyFloor, AScaleOfTheGyroscopeIsNamedByMotionAlone) {
   EXPECT_NEAR(answer.found.front().placed.values[1], 1.15, 0.03);
 }
 
-// Rad and rad/s, of example cases; the second of them is another engine's walk, whose contacts a friction imitates.
-TEST(BodyFloor, HeldOutLogsRefuteAnEffectThatOnlyImitatesAnother) {
-  EXPECT_TRUE(isVerified({7.56e-3, 0.166, 1.01}, {0.86e-3, 0.034, 0.22}, false));
-  EXPECT_FALSE(isVerified({6.57e-3, 0.083, 0.64}, {4.22e-3, 0.083, 0.73}, false));
-  EXPECT_TRUE(isVerified({0.7e-3, 0.083, 0.1}, {0.7e-3, 0.04, 0.1}, true));
-  EXPECT_FALSE(isVerified({0.7e-3, 0.3, 0.1}, {0.7e-3, 0.2, 0.1}, true));
-}
-
 /// The board's voltage falls by this resistance times the current of all servos, in steps of 0.1 V.
 BodyCase withBattery(double ohm) {
   BodyCase given = movingRobot(shippedRobot());
