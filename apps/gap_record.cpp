@@ -123,7 +123,7 @@ bool Recorder::record(const PlannedRecording& plan, std::size_t number, std::siz
 
 /// Name of the model for the case; a file is copied into its folder.
 std::string modelFor(const std::string& wanted, const std::string& folder) {
-  const std::string name = wanted.empty() ? "darwin-op" : wanted;
+  std::string name = wanted.empty() ? "darwin-op" : wanted;
   const std::string path = twin::findModel(name);
   if (path != name) return name;  // a shipped one
   (void)twin::readModel(path);
@@ -132,7 +132,7 @@ std::string modelFor(const std::string& wanted, const std::string& folder) {
 }
 
 connect::Setting settingOf(const std::string& robot) {
-  const connect::Setting setting = connect::readSetting(robot);
+  connect::Setting setting = connect::readSetting(robot);
   if (connect::loopIsElsewhere(setting))
     throw std::runtime_error("the loop of this robot runs elsewhere and records itself; give its serial port");
   if (setting.kind == RobotKind::kVirtual)
