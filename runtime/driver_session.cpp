@@ -1,6 +1,8 @@
 #include "runtime/driver_session.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/joints.hpp"
 
@@ -35,7 +37,14 @@ std::string describe(const SafetyReport& report) {
 void DriverSession::start() {
   if (started_) link_->beginSession();
   started_ = true;
+  published_ = false;
   first_cycle_ = link_->sensors().cycle + 2;
+}
+
+/// Cycles may have passed since start(), with the fault of a session that was given up still active.
+void DriverSession::publish(const Commands& commands) {
+  link_->publish(commands);
+  if (!std::exchange(published_, true)) first_cycle_ = std::max(first_cycle_, link_->sensors().cycle + 2);
 }
 
 bool DriverSession::drives(const Sensors& seen) const {

@@ -24,12 +24,13 @@ class DriverSession {
 
   /// Takes over with the next commands. A further call begins a new session: RobotLink::beginSession().
   void start();
-  /// First cycle whose safety report is certain to refer to this session: one that runs during start() may not.
+  /// First cycle whose safety report is certain to refer to this session: one that runs during start(), or during the
+  /// first publish(), may not.
   [[nodiscard]] std::uint64_t firstCycle() const { return first_cycle_; }
   /// True once safety executes this session's commands: any move to the start pose is over.
   [[nodiscard]] bool drives(const Sensors& seen) const;
 
-  void publish(const Commands& commands) { link_->publish(commands); }
+  void publish(const Commands& commands);
   [[nodiscard]] Sensors sensors() const { return link_->sensors(); }
   /// Waits until the loop has finished cycle number `cycle`. False: the loop has ended, or `stop` is true; see
   /// loopEnd().
@@ -52,7 +53,7 @@ class DriverSession {
 
  private:
   std::unique_ptr<RobotLink> link_;
-  bool started_ = false;
+  bool started_ = false, published_ = false;
   std::uint64_t first_cycle_ = 0;
 };
 

@@ -73,6 +73,17 @@ TEST_F(Driver, ReportsFromBeforeTheSessionSayNothingAboutIt) {
   EXPECT_TRUE(session.drives(afterCycles(1)));
 }
 
+/// A busy computer may stop us between the two calls: the report is still about the session before, which was given up.
+TEST_F(Driver, CyclesBeforeItsFirstCommandsSayNothingOfIt) {
+  state.image.safety.controller_must_end = true;
+  state.image.safety.worst = Fault::kControllerGone;
+  session.start();
+  (void)afterCycles(5);
+  session.publish({});
+  EXPECT_EQ(session.faultEnd(afterCycles(1)), "");
+  EXPECT_NE(session.faultEnd(afterCycles(1)), "");
+}
+
 TEST_F(Driver, DrivesOnlyInTheStateDriven) {
   session.start();
   (void)afterCycles(2);
