@@ -19,7 +19,7 @@ class DriverWatch {
     came_ = asked.session != 0 && asked.session != session_;
     obeyed_ = came_ || (session_ != 0 && asked.session == session_);
     // Heartbeat: only an increased sequence number counts, because the last image of a dead controller remains. A
-    // session that was given up stays so: a program that wakes up must not raise a robot that sits limp, perhaps in
+    // session that was given up stays so: a controller that resumes must not raise a robot that sits limp, perhaps in
     // somebody's hands.
     const bool alive = came_ || (obeyed_ && !ended_ && asked.sequence > sequence_ && !gone());
     const bool by_driver = came_ || (obeyed_ && asked.fault_resets != resets_);

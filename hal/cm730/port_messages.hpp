@@ -5,6 +5,9 @@
 
 namespace darwinop::cm730 {
 
+/// After howToStopRuntime(), where the port is in use.
+inline constexpr const char* kDriveThroughRuntime = "; a controller can drive through it: --robot runtime";
+
 /// "stop it with ...": a runtime daemon of that process id.
 std::string howToStopRuntime(const std::string& pid);
 

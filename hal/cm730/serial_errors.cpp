@@ -92,7 +92,8 @@ std::string inUse(const std::string& path) {
   if (pid.empty()) return in_use + "another program: find it with `sudo fuser -v " + path + "` and stop it";
   if (pid == std::to_string(::getpid())) return in_use + "this process: stop it first";
   const std::string name = processName(pid);
-  return in_use + "process " + pid + " (" + name + "): " + (name == kRuntime ? howToStopRuntime(pid) : "stop it first");
+  return in_use + "process " + pid + " (" + name +
+         "): " + (name == kRuntime ? howToStopRuntime(pid) + kDriveThroughRuntime : "stop it first");
 }
 
 }  // namespace

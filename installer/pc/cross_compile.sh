@@ -190,7 +190,7 @@ compile_controller() { # DIR
   refuse_python "$1"
   name_controller "$1"
   check_controller_files "$controller_folder"
-  find_robot_sdk  # may ask the robot
+  find_robot_sdk  # may connect to the robot
   open_build_cache
   copy_sources
   choose_makefile

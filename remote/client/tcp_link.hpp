@@ -28,7 +28,7 @@ struct TcpOptions {
   Nanos reconnect_timeout{30'000'000'000};  // after a lost connection
   Nanos reply_timeout{2'000'000'000};       // without a reply: the connection counts as lost
   std::function<void(const std::string&)> log;
-  /// Until the first publish(), whose commands say it themselves: the server may begin the session before.
+  /// For requests before the first publish(): the server may begin the session with one of them.
   bool start_where_it_is = false;
 };
 

@@ -236,7 +236,7 @@ scenario_without_library_or_sources_it_says_what_to_do() {
   sdk=$LAB/none build_controller "$LAB/pc/walker"
   expect 1
   expect_said './dev build --robot'
-  sdk=$LAB/none build_controller "$LAB/pc/nobody"  # before the library, for which the robot may be asked
+  sdk=$LAB/none build_controller "$LAB/pc/missing"  # before the library, which may have to come from the robot
   expect 1
   expect_said "$msg_no_folder"
   mkdir -p "$LAB/pc/empty"

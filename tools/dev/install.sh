@@ -47,7 +47,7 @@ need() {
   [ ${#missing[@]} = 0 ] && return
   # Names and versions are those of one release.
   local system
-  system=$(. /etc/os-release && echo "$ID $VERSION_ID")
+  system=$(. /etc/os-release && echo "${ID:-unknown} ${VERSION_ID:-}")
   [ "$system" = 'debian 12' ] || die "packages are known for Debian 12, and here is $system: use a container of it, such as: \
 docker run -it -v \"\$PWD:/src\" -w /src debian:12 ./dev demo"
   local command="apt-get install --no-install-recommends ${missing[*]}"

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
 #include "core/registers.hpp"
+#include "core/sensors.hpp"
 #include "core/text/formatted.hpp"
 #include "core/units.hpp"
 #include "gap/identify/body/floor_effect.hpp"
@@ -15,8 +15,6 @@
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A, that a joint draws from the battery when the board of this row is read: the winding's current for the share of
 /// the duty. NaN: not known.

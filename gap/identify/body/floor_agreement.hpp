@@ -1,7 +1,7 @@
 // Whether each recording on the floor by itself is more likely with an effect that all of them together suggest.
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "gap/identify/body/floor_fit.hpp"
 #include "gap/identify/body/log_agreement.hpp"

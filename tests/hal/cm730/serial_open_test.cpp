@@ -152,8 +152,9 @@ TEST(OpenSerial, SaysHowToStopTheRuntimeWhoseNameTheKernelCutsAt15Letters) {
     (void)openSerial(pty.path());
   }};
   const std::string pid = std::to_string(other.pid());
-  EXPECT_EQ(explain(pty.path(), openSerial(pty.path())),
-            pty.path() + kPortInUse + "process " + pid + " (darwinop-runtime): " + howToStopRuntime(pid));
+  EXPECT_EQ(explain(pty.path(), openSerial(pty.path())), pty.path() + kPortInUse + "process " + pid +
+                                                             " (darwinop-runtime): " + howToStopRuntime(pid) +
+                                                             kDriveThroughRuntime);
   EXPECT_THAT(howToStopRuntime("7"), HasSubstr("`kill 7`"));
 }
 
