@@ -23,6 +23,12 @@ Rad holdPosition(const Sensors& seen, bool start_where_it_is, std::size_t joint)
   return on_the_way ? now.position : now.commanded;
 }
 
+/// No joint is driven yet: the robot was limp, or stiff without a loop, before the session.
+bool stillTakesOver(const Sensors& seen) {
+  return !drives(seen.safety.state) || (seen.safety.state == State::kTakingOver &&
+                                        std::ranges::none_of(seen.joint, [](const auto& j) { return j.driven; }));
+}
+
 }  // namespace
 
 std::string describe(const SafetyReport& report) {
@@ -70,6 +76,10 @@ std::string DriverSession::loopEnd(const Sensors& seen) {
 /// Safety holds a silent driver only after stall_ms, and lets a slow joint continue to its goal; this holds at once.
 void DriverSession::hold(Commands& commands) {
   const Sensors seen = sensors();
+  if (stillTakesOver(seen)) {
+    if (published_) end(commands);  // without commands, safety knows of no session
+    return;
+  }
   for (std::size_t i = 0; i < kJoints; ++i)
     if (const Rad rest = holdPosition(seen, commands.start_where_it_is, i); rest.known())
       commands.joint[i].setGoal(rest);

@@ -44,6 +44,8 @@ class DriverSession {
 
   /// Sets each joint's goal in `commands` to its present position and publishes them. The robot then holds until the
   /// next session begins, at most gone_s. No effect if the loop ends with the link (RobotLink::bringsToRest()).
+  /// Before a joint is driven it ends the session instead: a takeover that was cancelled must not make a limp robot
+  /// stiff.
   void hold(Commands& commands);
   /// Ends the session as configured by [Safety] on_exit.
   void end(Commands last);

@@ -289,12 +289,20 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:Kneel.AControllerThatWasGivenUpDoesNotDriveAgainAndANewSessionDoes", "always"},
     {"H417", "A limp robot gets torque without a controller", "a session ends while it takes the robot over",
      "without torque nothing is sat down or held", "limp",
-     "safety_test:TakeOver.ALimpRobotStaysLimpIfTheSessionEndsBeforeTorqueIsOn", "always"},
+     "safety_test:TakeOver.ALimpRobotStaysLimpIfTheSessionEndsBeforeTorqueIsOn "
+     "runtime_test:Driver.HoldingBeforeAJointIsDrivenEndsTheSession "
+     "window_test:WindowDriveThread.AStopBeforeTorqueLeavesTheRobotLimp",
+     "always"},
     {"H418", "The robot stands with nothing to watch it", "the daemon ends a session that holds at its end",
      "the end of the loop follows the robot's own on_exit", "kneel, limp",
      "safety_test:Kneel.AtTheEndOfTheLoopTheRobotsOwnExitHolds "
      "runtime_process_test:DaemonTest.ASessionThatHoldsAtItsEndDoesNotKeepTheRobotUpWhenTheDaemonEnds",
      "process"},
+    {"H430", "A person cannot stop the robot", "the page lost it, and it completes its steps",
+     "STOP works from every page until the robot holds", "all joints hold at once",
+     "window_test:WindowSteeringSession.StopWorksWhileTheLastStepsAreCompleted "
+     "window_test:WindowSteeringSession.EveryPageCanStopTheRobot",
+     "always"},
     {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
      "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "

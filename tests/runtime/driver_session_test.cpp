@@ -131,6 +131,7 @@ TEST_F(Driver, TheEndOfTheLoopHasAReason) {
 
 TEST_F(Driver, HoldsWithItsLastCommandsOrEndsTheSession) {
   session.start();
+  state.image.safety.state = State::kDriven;
   Commands last;
   last.unattended = true;
   session.hold(last);
@@ -143,6 +144,27 @@ TEST_F(Driver, HoldsWithItsLastCommandsOrEndsTheSession) {
   EXPECT_FALSE(state.holds);
   EXPECT_TRUE(state.published.back().end_of_session);
   EXPECT_TRUE(state.published.back().unattended);
+}
+
+/// A person who presses STOP while the robot is being taken over may have a hand in it.
+TEST_F(Driver, HoldingBeforeAJointIsDrivenEndsTheSession) {
+  for (const State before : {State::kLimp, State::kFoundStiff, State::kTakingOver}) {
+    state.published.clear();
+    state.image.safety.state = before;
+    session.start();
+    Commands commands;
+    session.hold(commands);
+    EXPECT_TRUE(state.published.empty()) << "without commands no session has begun";
+    session.publish(commands);
+    session.hold(commands);
+    EXPECT_TRUE(state.published.back().end_of_session);
+    EXPECT_FALSE(state.holds);
+  }
+  state.image.joint[index(Joint::kNeck)].driven = true;
+  Commands commands;
+  session.hold(commands);
+  EXPECT_FALSE(state.published.back().end_of_session) << "what has torque must not fall";
+  EXPECT_TRUE(state.holds);
 }
 
 /// Goal of a joint that is held at `position` on its way to `commanded`; its age in cycles.

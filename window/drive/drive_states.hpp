@@ -46,7 +46,8 @@ constexpr DriveState next(DriveState state, DriveEvent event) {
     case DriveEvent::kRequestsMissed:
       return state == kDriving ? kEnding : state;
     case DriveEvent::kFinishAsked:
-      return state == kStarting || state == kDriving ? kEnding : state;
+      if (state == kStarting) return kHolding;  // no steps to complete
+      return state == kDriving ? kEnding : state;
     case DriveEvent::kStands:
       return state == kEnding ? kHolding : state;
     case DriveEvent::kStopAsked:

@@ -12,8 +12,14 @@
 namespace darwinop::window {
 namespace {
 
-void sendDriving(web::Channel& channel, bool yours, const std::string& text, bool taking = false) {
-  const nlohmann::json message{{"type", "driving"}, {"yours", yours}, {"taking", taking}, {"text", text}};
+enum class Phase { kSettled, kTaking, kEnding };
+
+void sendDriving(web::Channel& channel, bool yours, const std::string& text, Phase phase = Phase::kSettled) {
+  const nlohmann::json message{{"type", "driving"},
+                               {"yours", yours},
+                               {"taking", phase == Phase::kTaking},
+                               {"ending", phase == Phase::kEnding},
+                               {"text", text}};
   channel.send(web::kEvery, std::make_shared<const std::string>(jsonText(message)));
 }
 
@@ -24,26 +30,26 @@ SteeringSession::~SteeringSession() {
 }
 
 void SteeringSession::opened(web::Channel& channel) {
-  sendDriving(channel, false, "");
+  if (driver_ == nullptr && drive_.report().state != DriveState::kFree)
+    awaitEnd(channel, "");
+  else
+    sendDriving(channel, false, "");
 }
 
 void SteeringSession::received(web::Channel& channel, std::string_view message, bool binary) {
   std::string why = "requests must be text messages";
   const std::optional<SteeringMessage> request = binary ? std::nullopt : parseSteering(message, why);
   if (!request) return sendDriving(channel, is_driving_ && driver_ == &channel, why);  // does not count as a heartbeat
+  if (request->stop) return stop(channel);
   if (request->take && driver_ == nullptr)
     take(channel);
   else if (request->take && driver_ != &channel)
     sendDriving(channel, false, messages::kAnotherPageDrives);
   if (driver_ != &channel) return;
   last_heartbeat_ = clock_();
-  if (request->stop) {
-    drive_.stop();
-    return release("Driving has ended. The robot holds.");
-  }
   if (request->leave) {
     drive_.finish();
-    return release("Driving has ended. The robot holds.");
+    return release(is_driving_ ? messages::kDrivingEnded : messages::kTakeoverCancelled);
   }
   requests_.merge(request->requests);
 }
@@ -51,14 +57,26 @@ void SteeringSession::received(web::Channel& channel, std::string_view message, 
 void SteeringSession::take(web::Channel& channel) {
   if (drive_.report().state != DriveState::kFree) return sendDriving(channel, false, messages::kPreviousSessionEnds);
   driver_ = &channel;
+  waits_for_end_ = nullptr;
   is_driving_ = false;
   requests_ = {};
   sent_status_ = {};
-  sendDriving(channel, false, "Taking the robot …", true);
+  sendDriving(channel, false, "Taking the robot …", Phase::kTaking);
   drive_.start();
 }
 
+/// From every page, also while the steps of an ended session are being completed: whoever sees the robot may stop it.
+void SteeringSession::stop(const web::Channel& channel) {
+  if (drive_.report().state == DriveState::kFree) return;
+  drive_.stop();
+  if (driver_ == nullptr) return;
+  const char* const own = is_driving_ ? messages::kDrivingEnded : messages::kTakeoverCancelled;
+  release(driver_ == &channel ? own : messages::kAnotherPageStopped);
+}
+
 void SteeringSession::update() {
+  if (waits_for_end_ != nullptr && drive_.report().state == DriveState::kFree)
+    sendDriving(*std::exchange(waits_for_end_, nullptr), false, end_text_);
   if (driver_ == nullptr) return;
   const DriveInterface::Report report = drive_.report();
   if (report.state == DriveState::kFree || (is_driving_ && report.state != DriveState::kDriving))
@@ -90,10 +108,18 @@ void SteeringSession::sendStatus(const DriveStatus& status) {
 
 void SteeringSession::release(const std::string& why) {
   is_driving_ = false;
-  sendDriving(*std::exchange(driver_, nullptr), false, why);
+  awaitEnd(*std::exchange(driver_, nullptr), why);
+}
+
+void SteeringSession::awaitEnd(web::Channel& channel, const std::string& text) {
+  if (drive_.report().state == DriveState::kFree) return sendDriving(channel, false, text);
+  waits_for_end_ = &channel;
+  end_text_ = text;
+  sendDriving(channel, false, "The robot completes its step …", Phase::kEnding);
 }
 
 void SteeringSession::closed(web::Channel& channel) noexcept {
+  if (waits_for_end_ == &channel) waits_for_end_ = nullptr;
   if (driver_ != &channel) return;
   driver_ = nullptr;
   is_driving_ = false;

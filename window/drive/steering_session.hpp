@@ -34,13 +34,18 @@ class SteeringSession final : public web::ChannelHandler {
 
  private:
   void take(web::Channel& channel);
+  void stop(const web::Channel& channel);
   void sendStatus(const DriveStatus& status);
   void release(const std::string& why);
+  /// Sends `text` once the robot holds. Until then the page shows that the session is ending.
+  void awaitEnd(web::Channel& channel, const std::string& text);
 
   DriveInterface& drive_;
   Clock clock_;
-  web::Channel* driver_ = nullptr;  // page that drives or is taking over
-  bool is_driving_ = false;         // takeover is complete
+  web::Channel* driver_ = nullptr;         // page that drives or is taking over
+  bool is_driving_ = false;                // takeover is complete
+  web::Channel* waits_for_end_ = nullptr;  // page that is informed when the drive thread's session has ended
+  std::string end_text_;
   Nanos last_heartbeat_{0};
   DriveRequests requests_{};  // since the last update()
   DriveStatus sent_status_{};

@@ -15,7 +15,7 @@ constexpr auto kDriveTable = [] {
   using enum DriveState;
   return std::array<std::array<DriveState, kDriveEvents>, kDriveStates>{{
       {kStarting, kFree, kFree, kFree, kFree, kFree, kFree, kFree},
-      {kStarting, kDriving, kStarting, kEnding, kHolding, kStarting, kHolding, kFree},
+      {kStarting, kDriving, kStarting, kHolding, kHolding, kStarting, kHolding, kFree},
       {kDriving, kDriving, kEnding, kEnding, kHolding, kDriving, kHolding, kFree},
       {kEnding, kEnding, kEnding, kEnding, kHolding, kHolding, kHolding, kFree},
       {kHolding, kHolding, kHolding, kHolding, kHolding, kHolding, kHolding, kFree},

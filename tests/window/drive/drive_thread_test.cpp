@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <functional>
+#include <future>
 #include <memory>
 #include <stdexcept>
 
@@ -150,6 +151,34 @@ TEST_F(WindowDriveThread, ReportsWhyItCouldNotStart) {
   drive.start();
   ASSERT_TRUE(reaches(DriveState::kFree));
   EXPECT_EQ(drive.report().why, window::messages::kNoTorque);
+}
+
+/// Over a bad network connecting takes seconds, in which a person may have walked up to the limp robot.
+TEST_F(WindowDriveThread, AStopBeforeTorqueLeavesTheRobotLimp) {
+  for (const auto end : {&DriveThread::finish, &DriveThread::stop}) {
+    std::promise<void> connects, may_connect;
+    DriveThread slow{[&, ready = may_connect.get_future().share()]() -> std::unique_ptr<runtime::RobotLink> {
+                       connects.set_value();
+                       ready.wait();
+                       return std::make_unique<FakeRobotLink>(robot);
+                     },
+                     pages};
+    slow.start();
+    connects.get_future().wait();
+    (slow.*end)();
+    may_connect.set_value();
+    for (int i = 0; i < 20'000 && slow.report().state != DriveState::kFree; ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_FALSE(robotHas(&FakeRobot::published).start_where_it_is) << "nothing was published";
+    EXPECT_FALSE(robotHas(&FakeRobot::left_holding));
+  }
+  change([](FakeRobot& its) { its.torque_works = false; });
+  drive.start();
+  for (int i = 0; i < 20'000 && !robotHas(&FakeRobot::published).start_where_it_is; ++i)
+    std::this_thread::sleep_for(1ms);
+  drive.stop();
+  ASSERT_TRUE(reaches(DriveState::kFree));
+  EXPECT_TRUE(robotHas(&FakeRobot::published).end_of_session);
+  EXPECT_FALSE(robotHas(&FakeRobot::left_holding));
 }
 
 TEST_F(WindowDriveThread, StartsWithoutTheRequestsAndTheReasonOfBefore) {

@@ -25,12 +25,13 @@ struct FakeDrive final : window::DriveInterface {
   void finish() override { endSession("leave"); }
   Report report() override { return now; }
   void endSession(const char* how) {
-    now = {};
+    now = {.state = steps_to_complete ? window::DriveState::kEnding : window::DriveState::kFree};
     end = how;
   }
 
   Report now{};
   std::string refusal, end;
+  bool steps_to_complete = false;
   std::vector<window::DriveRequests> requested;
 };
 
@@ -104,10 +105,33 @@ TEST_F(WindowSteeringSession, RefusesASecondPage) {
   take();
   session.received(other, R"({"take": true, "goals": {"Neck": 0.3}})", false);
   EXPECT_THAT(other.received, HasSubstr(window::messages::kAnotherPageDrives));
-  session.received(other, R"({"stop": true})", false);
   session.update();
   EXPECT_FALSE(drive.requested.back().goals[index(Joint::kNeck)]);
   EXPECT_EQ(drive.end, "");
+}
+
+TEST_F(WindowSteeringSession, EveryPageCanStopTheRobot) {
+  take();
+  session.received(other, R"({"stop": true})", false);
+  EXPECT_EQ(drive.end, "stop");
+  EXPECT_THAT(page.received, HasSubstr(window::messages::kAnotherPageStopped));
+  EXPECT_FALSE(session.drives());
+}
+
+/// A walk takes seconds to end, at the edge of a table perhaps, and the page that lost it may be back.
+TEST_F(WindowSteeringSession, StopWorksWhileTheLastStepsAreCompleted) {
+  take();
+  drive.steps_to_complete = true;
+  send(R"({"leave": true})");
+  EXPECT_EQ(drive.end, "leave");
+  EXPECT_THAT(page.received, HasSubstr(R"("ending":true)"));
+  session.opened(other);
+  EXPECT_THAT(other.received, HasSubstr(R"("ending":true)"));
+  drive.steps_to_complete = false;
+  session.received(page, R"({"stop": true})", false);
+  EXPECT_EQ(drive.end, "stop");
+  session.update();
+  EXPECT_THAT(other.received, HasSubstr(R"("ending":false)"));
 }
 
 TEST_F(WindowSteeringSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
@@ -131,6 +155,14 @@ TEST_F(WindowSteeringSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
   session.closed(page);
   EXPECT_EQ(drive.end, "leave");
   EXPECT_FALSE(session.drives());
+}
+
+TEST_F(WindowSteeringSession, ACancelledTakeoverSaysThatALimpRobotStaysLimp) {
+  for (const char* how : {R"({"stop": true})", R"({"leave": true})"}) {
+    session.received(page, R"({"take": true})", false);
+    send(how);
+    EXPECT_THAT(page.received, HasSubstr(window::messages::kTakeoverCancelled));
+  }
 }
 
 TEST_F(WindowSteeringSession, RefusesATakeoverWhileTheRobotComesToRest) {

@@ -18,10 +18,10 @@ export class SteerBar {
   }
 
   update() {
-    const {drives, asking, text, doing} = this.steering;
+    const {drives, asking, ending, text, doing} = this.steering;
     document.body.classList.toggle('driving', drives);
-    this.take.hidden = drives || asking;
-    this.stop.disabled = !drives && !asking;
+    this.take.hidden = drives || asking || ending;
+    this.stop.disabled = !drives && !asking && !ending;
     setText(this.status, drives ? `You are driving${doing.refused ? `; refused: ${doing.refused}` : ''}` : text);
   }
 }

@@ -11,6 +11,7 @@ export class Steering extends EventTarget {
     this.url = url;
     this.drives = false;
     this.asking = false; // takeover in progress
+    this.ending = false; // the robot completes its steps
     this.text = '';      // why the page does not drive
     this.goals = {};     // by name, rad, not sent yet
     this.walk = null;    // {x, y, a}, repeated in every message while requested
@@ -26,7 +27,7 @@ export class Steering extends EventTarget {
     this.socket = new WebSocket(this.url, kProtocol);
     this.socket.onmessage = (event) => {
       const message = JSON.parse(event.data);
-      if (message.type === 'driving') this.change(message.yours, message.text, message.taking === true);
+      if (message.type === 'driving') this.change(message.yours, message.text, message);
       if (message.type === 'doing') this.update(message);
     };
     this.socket.onclose = () => {
@@ -83,10 +84,11 @@ export class Steering extends EventTarget {
     this.dispatchEvent(new Event('change'));
   }
 
-  change(drives, text, asking = false) {
+  change(drives, text, {taking = false, ending = false} = {}) {
     if (drives !== this.drives) this.doing = {...kNothing, limp: drives ? [] : this.doing.limp};  // limp limbs stay limp
     this.drives = drives;
-    this.asking = asking;
+    this.asking = taking;
+    this.ending = ending;
     this.text = text;
     if (!drives) {
       this.goals = {};
