@@ -106,6 +106,7 @@ struct SafetyReport {
   // Settings in force: the robot's and the session's together. NaN: not known, as over TCP.
   float gentle_speed = std::numeric_limits<float>::quiet_NaN();    // rad/s
   float default_p_gain = std::numeric_limits<float>::quiet_NaN();  // of a joint that was given none
+  float default_speed = std::numeric_limits<float>::quiet_NaN();   // rad/s, of a joint that was given none
   Reaction at_end = Reaction::kKneel;                              // [Safety] on_exit
 };
 

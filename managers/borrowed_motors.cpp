@@ -1,7 +1,6 @@
-// Saves and restores motor settings for the duration of a walk.
+// Overrides speed limits and P gains for the duration of a walk.
 #include "managers/borrowed_motors.hpp"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <webots/Motor.hpp>
@@ -42,10 +41,7 @@ const void* BorrowedMotors::takenBy() const {
 void BorrowedMotors::take(const darwinop::body_player::WalkPlayer& player) {
   impl_->joints_taken_by = this;
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    webots::Motor& motor = *motors_[i];
-    if (!taken_) speed_[i] = motor.getVelocity(), acceleration_[i] = motor.getAcceleration();
-    if (acceleration_[i] > 0) motor.setAcceleration(-1);
-    if (std::abs(speed_[i]) < motor.getMaxVelocity()) motor.setVelocity(motor.getMaxVelocity());
+    impl_->lendFullSpeed(static_cast<Joint>(i), true);
     impl_->lendGain(static_cast<Joint>(i), player.pGain(static_cast<Joint>(i)));
   }
   taken_ = true;
@@ -54,14 +50,10 @@ void BorrowedMotors::take(const darwinop::body_player::WalkPlayer& player) {
 void BorrowedMotors::giveBack() {
   if (!taken_ || !exist()) return;
   taken_ = false;
-  const bool ours = areOurs();  // otherwise the gains belong to another manager
-  for (std::size_t i = 0; i < motors_.size(); ++i) {
-    webots::Motor& motor = *motors_[i];
-    if (motor.getVelocity() != speed_[i]) motor.setVelocity(speed_[i]);
-    if (acceleration_[i] > 0) motor.setAcceleration(acceleration_[i]);
-    if (ours) impl_->lendGain(static_cast<Joint>(i), {});
-  }
-  if (ours) impl_->joints_taken_by = nullptr;
+  for (std::size_t i = 0; i < motors_.size(); ++i) impl_->lendFullSpeed(static_cast<Joint>(i), false);
+  if (!areOurs()) return;  // the gains belong to another manager
+  for (std::size_t i = 0; i < motors_.size(); ++i) impl_->lendGain(static_cast<Joint>(i), {});
+  impl_->joints_taken_by = nullptr;
 }
 
 std::uint64_t BorrowedMotors::cycleOfReading() const {

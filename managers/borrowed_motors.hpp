@@ -1,5 +1,4 @@
-// Motors during a walk: removes the controller's speed and acceleration limits, sets the walk's P gains, and restores
-// both afterwards.
+// Motors during a walk: full speed and the walk's P gains override what the controller has set or sets meanwhile.
 #pragma once
 
 #include <array>
@@ -17,7 +16,7 @@ class RobotImpl;
 
 namespace managers {
 
-/// The destructor restores the settings. A copy has not taken the motors.
+/// The destructor ends the overrides. A copy has not taken the motors.
 class BorrowedMotors {
  public:
   BorrowedMotors() = default;  // without a robot
@@ -33,7 +32,7 @@ class BorrowedMotors {
   [[nodiscard]] bool areOurs() const { return takenBy() == this; }
   [[nodiscard]] bool areAnothers() const { return takenBy() != this && takenBy() != nullptr; }
 
-  /// Saves settings, removes limits (a speed limit would make the robot fall), sets the walk's gains.
+  /// Full speed (a speed limit would make the robot fall) and the walk's gains.
   void take(const darwinop::body_player::WalkPlayer& player);
   void giveBack();
 
@@ -55,7 +54,6 @@ class BorrowedMotors {
   darwinop::webots_api::RobotImpl* impl_ = nullptr;
   std::array<webots::Motor*, darwinop::gait::kWalkingJoints> motors_{};
   bool taken_ = false;
-  std::array<double, darwinop::gait::kWalkingJoints> speed_{}, acceleration_{};  // saved settings
 };
 
 }  // namespace managers

@@ -62,7 +62,7 @@ DARWINOP_LAYOUT(LinkCounters, exchanges, incomplete, retries, bad_checksums, gar
                 clamped_goals);
 DARWINOP_LAYOUT(WireFigures, bytes_out, bytes_in, wire_ns, bus_ns);
 DARWINOP_LAYOUT(SafetyReport, state, active, worst, worst_joint, reaction, limit_hits, controller_must_end, session,
-                tripped, missed_start, start_timeouts, gentle_speed, default_p_gain, at_end);
+                tripped, missed_start, start_timeouts, gentle_speed, default_p_gain, default_speed, at_end);
 DARWINOP_LAYOUT(Sensors, cycle, time_ns, period_ns, wake_latency_ns, slack_ns, overruns, joint, bus, board, link, wire,
                 safety, silent);
 

@@ -81,6 +81,7 @@ void Guard::beginSession(const Commands& asked) noexcept {
 void Guard::reportSettings() noexcept {
   report_.gentle_speed = static_cast<float>(config_.gentle_speed);
   report_.default_p_gain = static_cast<float>(config_.default_p_gain);
+  report_.default_speed = static_cast<float>(config_.default_speed);
   report_.at_end = atExit(config_.on_exit);
 }
 

@@ -85,6 +85,7 @@ void RobotImpl::takeMotors(int ms) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     commands_.joint[i] = motors_[i].command(session_.sensors().joint[i], std::max(ms, 0) / 1000.0);
     addLentGain(i);
+    addLentSpeed(i);
   }
 }
 
@@ -97,6 +98,18 @@ void RobotImpl::addLentGain(std::size_t joint) {
   } else if (was_lent_[joint] && !command.has(JointCommand::kPGain)) {
     const double usual = static_cast<double>(session_.sensors().safety.default_p_gain);
     command.setPGain(std::isnan(usual) ? config_.safety.default_p_gain : usual);  // NaN: over TCP
+  }
+}
+
+void RobotImpl::addLentSpeed(std::size_t joint) {
+  JointCommand& command = commands_.joint[joint];
+  if (full_speed_[joint]) {
+    had_full_speed_[joint] = true;
+    motors_[joint].restartRamp();
+    command.setSpeedLimit(RadPerSec{kMaxVelocity});
+  } else if (had_full_speed_[joint] && !command.has(JointCommand::kSpeedLimit)) {
+    const double usual = static_cast<double>(session_.sensors().safety.default_speed);
+    command.setSpeedLimit(RadPerSec{std::isnan(usual) ? config_.safety.default_speed : usual});  // NaN: over TCP
   }
 }
 

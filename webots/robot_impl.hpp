@@ -89,6 +89,8 @@ class RobotImpl {
 
   /// Overrides the controller's P gain; empty: ends the override. Motor keeps the controller's value meanwhile.
   void lendGain(Joint joint, std::optional<double> kp) { lent_gain_[index(joint)] = kp; }
+  /// Overrides the controller's speed limit and acceleration with the maximum speed. Motor keeps its values meanwhile.
+  void lendFullSpeed(Joint joint, bool lent) { full_speed_[index(joint)] = lent; }
 
   /// Owner of the joints: the manager that walks or plays a motion page; null: none. A later one takes over; the
   /// earlier one detects this and stops.
@@ -101,6 +103,7 @@ class RobotImpl {
   void removeDevicesOfBoard();
   void add(webots::Device* device);
   void addLentGain(std::size_t joint);
+  void addLentSpeed(std::size_t joint);
   void takeMotors(int ms);
   void refresh();
   void refreshDevices();
@@ -115,6 +118,7 @@ class RobotImpl {
   std::deque<goals::MotorControl> motors_;  // by joint
   std::array<std::optional<double>, kJoints> lent_gain_{};
   std::array<bool, kJoints> was_lent_{};  // overridden before: from then on every image sets the gain
+  std::array<bool, kJoints> full_speed_{}, had_full_speed_{};  // the same for the speed limit
   webots::Keyboard keyboard_{*this};
   std::vector<std::unique_ptr<webots::Device>> devices_;
   std::vector<webots::Device*> seconds_;

@@ -34,8 +34,9 @@ JointCommand MotorControl::command(const JointSensors& seen, double dt_s) {
     const double cruise = std::abs(velocity());
     const double reachable = std::clamp(*requested, low(), high());
     out.setSpeedLimit(RadPerSec{ramp_.next(cruise, acceleration_, reachable - seen.position.value, dt_s)});
-  } else if (velocity_) {
-    out.setSpeedLimit(RadPerSec{std::abs(*velocity_)});
+  } else {
+    if (acceleration_ <= 0) restartRamp();
+    if (velocity_) out.setSpeedLimit(RadPerSec{std::abs(*velocity_)});
   }
   if (p_gain_) out.setPGain(*p_gain_);
   addTorque(out);

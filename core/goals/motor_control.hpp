@@ -23,6 +23,8 @@ class MotorControl {
   void setAvailableTorque(double newton_meter);
   void setTorque(double newton_meter);
   void setPGain(double kp) { p_gain_ = kp; }
+  /// The next command with an acceleration starts at rest.
+  void restartRamp() { ramp_ = {}; }
 
   /// Command for the next `dt_s` seconds; `seen`: newest sensor values of the joint.
   [[nodiscard]] JointCommand command(const JointSensors& seen, double dt_s);

@@ -75,6 +75,40 @@ TEST_F(GaitLending, RestoresGainsAndLimitsIfDestroyedDuringAStep) {
   EXPECT_EQ(knee.getVelocity(), 2);
 }
 
+TEST_F(GaitLending, ASpeedThatIsSetDuringAWalkCountsAfterIt) {
+  webots::Motor& arm = *robot().getMotor("ArmUpperL");
+  standing().start();
+  steps(5);
+  arm.setVelocity(1);
+  arm.setAcceleration(2);
+  steps(1);
+  const JointCommand& command = fake.last().joint[index(Joint::kArmUpperL)];
+  EXPECT_GT(command.speed_limit.value, 12) << "it would make the robot fall";
+  manager().stop();
+  EXPECT_EQ(arm.getVelocity(), 1);
+  arm.setPosition(2);
+  robot().step(16);
+  EXPECT_NEAR(fake.last().joint[index(Joint::kArmUpperL)].speed_limit.value, 0.032, 1e-9) << "from rest";
+}
+
+TEST_F(GaitLending, AJointThatWasGivenNoSpeedGetsTheRobotsUsualOneBack) {
+  fake.image.safety.default_speed = 3;
+  standing().start();
+  steps(5);
+  manager_.reset();
+  robot().step(16);
+  EXPECT_EQ(fake.last().joint[index(Joint::kLegLowerR)].speed_limit.value, 3);
+}
+
+TEST_F(GaitLending, AWalkByStepsShorterThanATickApproachesSmoothly) {
+  manager().setBalanceEnable(false);  // the robot sits
+  manager().start();
+  robot().step(4);
+  robot().step(4);
+  for (std::size_t i = 0; i < kWalking; ++i)
+    if (goals()[i] != -1) EXPECT_NEAR(goals()[i], kJointTable[i].start, 12) << kJointTable[i].name;
+}
+
 /// Of the loop, with what robot.ini says, and not of the controller's own file.
 TEST_F(GaitLending, AJointThatWasGivenNoGainGetsTheRobotsUsualOneBack) {
   fake.image.safety.default_p_gain = 2;

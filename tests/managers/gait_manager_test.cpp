@@ -71,7 +71,7 @@ TEST_F(GaitManager, ClampsAmplitudesAndIgnoresNaN) {
   EXPECT_THAT(said, HasSubstr("setAAmplitude(NaN) is ignored"));
 }
 
-TEST_F(GaitManager, SetsPGainsAndRemovesSpeedLimits) {
+TEST_F(GaitManager, SetsPGainsAndFullSpeed) {
   write("[Walking Config]\np_gain = 40\n");
   webots::Motor& knee = *robot().getMotor("LegLowerR");
   knee.setVelocity(0.5);
@@ -82,8 +82,7 @@ TEST_F(GaitManager, SetsPGainsAndRemovesSpeedLimits) {
   EXPECT_EQ(joints[index(Joint::kLegLowerR)].p_gain, 5);
   EXPECT_EQ(joints[index(Joint::kFootL)].p_gain, 5);
   EXPECT_EQ(joints[index(Joint::kArmUpperL)].p_gain, 1);
-  EXPECT_GT(joints[index(Joint::kLegLowerR)].speed_limit.value, 12);
-  EXPECT_FALSE(joints[index(Joint::kLegLowerL)].has(JointCommand::kSpeedLimit));
+  for (std::size_t i = 0; i < kWalking; ++i) EXPECT_GT(joints[i].speed_limit.value, 12) << kJointTable[i].name;
   manager().stop();
   EXPECT_EQ(knee.getVelocity(), 0.5);
   EXPECT_EQ(knee.getAcceleration(), 3);
@@ -159,6 +158,15 @@ TEST_F(GaitManager, AMovedRobotWalksWithoutBalance) {
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr(managers::messages::kWalksWithoutBalance));
   EXPECT_EQ(goals(), goldenOf("G1_inplace")[42]);
+}
+
+TEST_F(GaitManager, BalanceThatIsSwitchedOnInAWalkThatBeganWithoutItSaysThatItIsOff) {
+  standing().start();
+  steps(10);
+  manager().setBalanceEnable(true);
+  testing::internal::CaptureStderr();
+  steps(2);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(managers::messages::kWalksWithoutBalance));
 }
 
 TEST_F(GaitManager, AnUnknownGyroscopeGivesNoNaN) {

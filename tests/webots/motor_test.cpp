@@ -192,6 +192,16 @@ TEST_F(MotorTest, AnAccelerationGivenInEveryStepStillRises) {
   EXPECT_NEAR(fake.last().joint[index(kElbow)].speed_limit.value, 0.8, 1e-9);
 }
 
+TEST_F(MotorTest, AnAccelerationThatIsSwitchedOnAgainStartsAtRest) {
+  motor().setPosition(joint().position.value - 1);
+  motor().setAcceleration(2);
+  for (int i = 0; i < 20; ++i) commanded(kElbow);
+  motor().setAcceleration(-1);
+  commanded(kElbow);
+  motor().setAcceleration(2);
+  EXPECT_NEAR(commanded(kElbow).speed_limit.value, 0.032, 1e-9);
+}
+
 TEST_F(MotorTest, LimitsAreTheJointTableExactly) {
   EXPECT_DOUBLE_EQ(motor().getMinPosition(), (970 - 2048) * 2 * M_PI / 4096);
   EXPECT_DOUBLE_EQ(motor().getMaxPosition(), (2804 - 2048) * 2 * M_PI / 4096);
