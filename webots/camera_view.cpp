@@ -1,5 +1,6 @@
 #include "webots/camera_view.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -16,33 +17,39 @@ CameraView::CameraView(int width, int height, std::unique_ptr<FrameSource> sourc
     : width_{width},
       height_{height},
       source_{std::move(source)},
-      black_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      shown_{black_.data()} {
-  for (std::size_t alpha = 3; alpha < black_.size(); alpha += 4) black_[alpha] = 255;
+      shown_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+  blacken();
 }
 
 std::string CameraView::refresh() {
-  shown_ = black_.data();
   if (source_ == nullptr) return {};
   const CameraFrame frame = source_->newest();
   // A controller would follow an old picture as if it were current.
-  if (frame.sequence == 0 || !source_->health().seeing) return {};
+  const std::uint64_t sequence = source_->health().seeing ? frame.sequence : 0;
+  if (std::exchange(sequence_, sequence) == sequence) return {};
+  if (sequence == 0) {
+    blacken();
+    return {};
+  }
   if (frame.width == width_ && frame.height == height_) {
-    shown_ = frame.bgra.data();
+    std::ranges::copy(frame.bgra.first(shown_.size()), shown_.begin());
     return {};
   }
   stretch(frame);
-  shown_ = stretched_.data();
   if (std::exchange(reported_, true)) return {};
   return "Camera: pictures of " + sizeText(frame.width, frame.height) + " are stretched to " +
          sizeText(width_, height_) + "; to avoid this, set camera_width = " + std::to_string(frame.width) +
          ", camera_height = " + std::to_string(frame.height) + " in config.ini";
 }
 
+void CameraView::blacken() {
+  std::ranges::fill(shown_, std::uint8_t{0});
+  for (std::size_t alpha = 3; alpha < shown_.size(); alpha += 4) shown_[alpha] = 255;
+}
+
 // Nearest-neighbour scaling.
 void CameraView::stretch(const CameraFrame& frame) {
-  stretched_.resize(black_.size());
-  std::uint8_t* into = stretched_.data();
+  std::uint8_t* into = shown_.data();
   for (int row = 0; row < height_; ++row) {
     const int from_row = (2 * row + 1) * frame.height / (2 * height_);
     const std::uint8_t* const line = frame.bgra.data() + 4 * static_cast<std::ptrdiff_t>(from_row) * frame.width;

@@ -20,16 +20,18 @@ class CameraView {
   /// was reported before.
   [[nodiscard]] std::string refresh();
 
-  /// 4 * width * height bytes, unchanged until the next refresh().
-  [[nodiscard]] const std::uint8_t* bgra() const { return shown_; }
+  /// 4 * width * height bytes at an address that never changes, overwritten by refresh(): controllers keep the pointer
+  /// over steps, as they could in 2013.
+  [[nodiscard]] const std::uint8_t* bgra() const { return shown_.data(); }
 
  private:
+  void blacken();
   void stretch(const CameraFrame& frame);
 
   int width_, height_;
   std::unique_ptr<FrameSource> source_;
-  std::vector<std::uint8_t> black_, stretched_;
-  const std::uint8_t* shown_;
+  std::vector<std::uint8_t> shown_;
+  std::uint64_t sequence_ = 0;  // of the picture shown; 0: black
   bool reported_ = false;
 };
 

@@ -112,6 +112,24 @@ TEST_F(CameraTest, IsBlackUntilTheFirstPictureHasCome) {
   EXPECT_EQ(seen(), 200);
 }
 
+/// In 2013 there was one buffer for all pictures.
+TEST_F(CameraTest, APointerThatIsKeptShowsEachNewPicture) {
+  camera().enable(16);
+  const unsigned char* const image = camera().getImage();
+  for (const int width : {320, 320, 160}) {
+    scene_.width = width;
+    scene_.height = width * 3 / 4;
+    scene_.seeing = true;
+    show(static_cast<std::uint8_t>(scene_.sequence + 7));
+    EXPECT_EQ(seen(), image[0]);
+    EXPECT_EQ(image[0], scene_.blue);
+    scene_.seeing = false;
+    EXPECT_EQ(seen(), 0);
+    EXPECT_EQ(image[0], 0) << "stale";
+    EXPECT_EQ(image[3], 255);
+  }
+}
+
 TEST_F(CameraTest, KeepsAPictureAsItIsWithinAStep) {
   camera().enable(16);
   show(1);
