@@ -53,14 +53,9 @@ void MotionPlayback::play() {
   if (!valid_) return;
   const RobotImpl* const robot = currentRobot();
   const Nanos now = robot ? robot->session().time() : Nanos{0};
-  if (playing_) {
-    if (loop_ || now - asked_ < duration()) return;
-    ++again_;
-    asked_ = now;
-    return;
-  }
-  asked_ = now;
-  begin();
+  const bool waited = now - std::exchange(asked_, now) >= duration();  // not so in a loop that calls it in each step
+  if (!playing_) return begin();
+  if (waited && !loop_) ++again_;
 }
 
 void MotionPlayback::begin() {

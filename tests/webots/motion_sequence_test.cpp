@@ -77,6 +77,17 @@ TEST_F(MotionSequence, AMotionIsOverAfterItsDuration) {
   EXPECT_EQ(rise.getDuration(), 160);
 }
 
+/// A key that is held for a second.
+TEST_F(MotionSequence, AMotionThatIsAskedForInEveryStepIsPlayedOnce) {
+  webots::Motion rise{file(kRise)};
+  for (int step = 0; step < 60; ++step) {
+    rise.play();
+    (void)robot().step(16);
+  }
+  wait(10'000);
+  EXPECT_EQ(tops(), 1U);
+}
+
 TEST_F(MotionSequence, AStopForgetsTheRepetition) {
   webots::Motion wave{file(kWave)};
   wave.play();
