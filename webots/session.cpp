@@ -88,10 +88,11 @@ int Session::wait() {
   if (ended_) return -1;
   if (stop_) return end({});
   Nanos late{0};
+  const Nanos before = time();
   if (driver_.sensors().cycle < target_) {
     if (!waitForTarget()) return end(stop_ ? std::string{} : driver_.link().whyEnded());
     sensors_ = driver_.sensors();
-    reached_ = Nanos{sensors_.time_ns} - origin_;
+    reached_ = std::max(before, Nanos{sensors_.time_ns} - origin_);  // never back, if its bus exchange took longer
     if (sensors_.cycle > target_ &&
         driver_.link().realTime()) {  // the wait took longer than the step, as in a slow network
       late = driver_.link().now() - due_;
@@ -99,7 +100,7 @@ int Session::wait() {
     }
   } else {
     sensors_ = driver_.sensors();
-    reached_ = std::max(time(), Nanos{sensors_.time_ns} - origin_);
+    reached_ = std::max(before, Nanos{sensors_.time_ns} - origin_);
     late = driver_.link().now() - due_;
     if (sensors_.cycle > target_) line_.restartAt(sensors_.cycle);
   }

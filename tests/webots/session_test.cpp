@@ -107,6 +107,20 @@ TEST_F(SessionTest, AnImageThatIsWaitedForTooLongIsALateStep) {
   EXPECT_EQ(fake.now - late, milliseconds{16}) << "and the next one is a whole one";
 }
 
+TEST_F(SessionTest, TimeNeverRunsBackwards) {
+  robot();
+  double before = robot().getTime();
+  for (int i = 0; i < 50; ++i) {
+    fake.bus_time = milliseconds{i % 5 == 0 ? 10 : 4};  // a lost reply
+    fake.pass(milliseconds{18});
+    const double computed = robot().getTime();
+    EXPECT_GE(computed, before);
+    EXPECT_EQ(robot().step(16) >= 0, true);
+    before = robot().getTime();
+    EXPECT_GE(before, computed) << i;
+  }
+}
+
 TEST_F(SessionTest, TheTwoHalvesOfAStepLetTheControllerComputeMeanwhile) {
   robot();
   const Nanos start = fake.now;

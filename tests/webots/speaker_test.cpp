@@ -149,6 +149,25 @@ TEST_F(SpeakerTest, PlayFileWaitStepsTheRobotUntilTheSoundHasEnded) {
   EXPECT_TRUE(last<PlaySound>().afresh);
 }
 
+/// A class that walks in its step() goes on walking meanwhile.
+TEST_F(SpeakerTest, PlayFileWaitCallsTheControllersOwnStep) {
+  struct Walker : webots::Robot {
+    explicit Walker(RobotImpl* impl) : Robot(impl) {}
+    int step(int ms) override {
+      ++steps;
+      return Robot::step(ms);
+    }
+    int steps = 0;
+  } walker{makeImpl()};
+  currentRobot()->open_sound = [this] { return std::make_unique<FakeOutput>(loudspeaker); };
+  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundEvent>{SoundStarted{1, 0.08}}; };
+  fake.on_cycle = [&](std::uint64_t) {
+    if (walker.steps == 5) loudspeaker.events = {SoundEnded{1}};
+  };
+  walker.getSpeaker("Speaker")->playFileWait("/a.mp3");
+  EXPECT_EQ(walker.steps, 5);
+}
+
 TEST_F(SpeakerTest, InSimulatedTimePlayFileWaitTakesTheTimeOfTheSound) {
   fake.real_time = false;
   prepare();
