@@ -8,8 +8,8 @@ namespace managers::messages {
 
 inline constexpr const char* kRobotIsNull = "the robot is null";
 inline constexpr const char* kWalksWithoutBalance =
-    "balance is off: the gyroscope could not be calibrated, because the robot was moved or the gyroscope does not "
-    "reply. Keep the robot still for a second before start()";
+    "balance is off: the gyroscope was not calibrated, because the robot was moved, the gyroscope does not reply, or "
+    "the walk began with setBalanceEnable(false). Keep the robot still for a second before start()";
 inline constexpr const char* kNoGyroscope = "balance is off: this robot has no gyroscope";
 
 // Of setParameters().

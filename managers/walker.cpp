@@ -69,12 +69,11 @@ void GaitWalker::step(int ms) {
 }
 
 void GaitWalker::advance(double ms) {
-  const bool walked = walk().walking();
   // At rest the gyroscope is calibrated in any loop. Servos without a board have none to wait for.
-  const bool balances = balance && gyro != nullptr && (!walked || clock.roundMs() <= kBalanceRoundMs);
+  const bool balances = balance && gyro != nullptr && (!walk().walking() || clock.roundMs() <= kBalanceRoundMs);
   if (!player.advance(ms, pacedCommand(), balances, gyroReading())) return;
   motors.setGoals(player);
-  if (!walked && walk().walking() && balance && !walk().isBalanceCalibrated())
+  if (walk().walking() && balance && !walk().isBalanceCalibrated())
     warnOfGait(gyro != nullptr ? messages::kWalksWithoutBalance : messages::kNoGyroscope);
   if (walk().resting()) motors.giveBack();
 }

@@ -17,12 +17,14 @@ void WalkPlayer::start(const Pose& from) {
 }
 
 bool WalkPlayer::advance(double ms, const gait::WalkCommand& command, bool balance, const GyroReading& gyro) {
+  carried_ms_ += ms;
+  if (carried_ms_ < gait::kTickMs) return false;
   // An unknown gyroscope counts as fresh in every call, so that the calibration times out.
   const bool known = std::isfinite(gyro.roll) && std::isfinite(gyro.pitch);
   gait::GyroCounts counts{gyro.roll, gyro.pitch};
   if (known) counts.fresh = std::exchange(gyro_cycle_, gyro.cycle) != gyro.cycle;
   const bool moves = !walk_.resting();
-  for (carried_ms_ += ms; carried_ms_ >= gait::kTickMs; carried_ms_ -= gait::kTickMs) {
+  for (; carried_ms_ >= gait::kTickMs; carried_ms_ -= gait::kTickMs) {
     walk_.tick(command, balance, counts);
     counts.fresh = false;
   }

@@ -1,7 +1,6 @@
 // Smooth motion of all joints from any pose to the stance of the walk, 8 ms per call.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -22,11 +21,11 @@ inline Pose poseOf(const Goals& goals) {
 
 class Approach : public goals::GentleMove<kWalkingJoints> {
  public:
-  /// rad/s, mean speed of the joint with the longest distance; the peak is 1.5 times that. From the start pose: 2.7 s.
+  /// rad/s, mean speed of the joint with the longest distance; the peak is 1.5 times that, 0.75 rad/s. From the start
+  /// pose: 2.7 s.
   static constexpr double kSpeed = 0.5;
   /// rad. Distances below this count as arrived.
   static constexpr double kTolerance = 0.05;
-  static constexpr double kMaxMs = 6000;
 
   Approach() = default;
   /// A joint with a NaN in `from` starts at its goal.
@@ -34,7 +33,7 @@ class Approach : public goals::GentleMove<kWalkingJoints> {
     for (std::size_t i = 0; i < kWalkingJoints; ++i)
       if (!std::isfinite(from[i])) from[i] = to[i];
     const double distance = longestDistance(from, to);
-    GentleMove::operator=({from, to, distance > kTolerance ? std::min(distance / kSpeed * 1000, kMaxMs) : 0});
+    GentleMove::operator=({from, to, distance > kTolerance ? distance / kSpeed * 1000 : 0});
   }
 
   Pose next() {

@@ -93,7 +93,7 @@ class DARwInOPGaitManager {
   /// time. Neither the simulator nor 2013 has this.
   bool setParameters(const GaitParameters& parameters);
 
-  /// From the next step() on the robot moves to its stance at 0.5 rad/s at most, and then walks. Does not block.
+  /// From the next step() on the robot moves to its stance at 0.75 rad/s at most, and then walks. Does not block.
   void start();
   /// Call it before every Robot::step(), with the same duration in ms, 8 or more, best a multiple of 8. Computes the
   /// goals that are due, one every 8 ms; the remainder is carried over. Under 8 ms it does nothing, with one warning;
