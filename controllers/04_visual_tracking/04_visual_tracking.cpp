@@ -35,6 +35,8 @@ class HeadJoint {
     motor_->setPosition(angle_);
   }
   void turnBy(double angle) { turnTo(angle_ + angle); }
+  // By at most 0.02 rad: 1.25 rad/s, called every 16 ms.
+  void turnTowards(double angle) { turnBy(std::max(-0.02, std::min(0.02, angle - angle_))); }
   double angle() const { return angle_; }
 
  private:
@@ -69,8 +71,8 @@ int main(int argc, char** argv) {
       head.turnBy(-kGain * (y / camera->getHeight() - 0.5));
     } else if (robot.getTime() > last_seen + 1) {  // search after 1 s without the ball
       const double t = robot.getTime() - last_seen - 1;
-      neck.turnTo(0.8 * std::sin(t));
-      head.turnTo(0.3 * std::cos(t / 3));
+      neck.turnTowards(0.8 * std::sin(t));
+      head.turnTowards(0.3 * std::cos(t / 3));
     }
     if (steps % 62 == 0)
       std::cout << (found ? "I see the ball" : "No ball") << ", the neck is at "

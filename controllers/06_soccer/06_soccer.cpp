@@ -130,8 +130,8 @@ void Player::search() {
   gait_.setXAmplitude(0);
   gait_.setYAmplitude(0);
   gait_.setAAmplitude(ball_.left < 0 ? -0.3 : 0.3);
-  neck_ = 0;
-  head_ = 0.3 + 0.6 * std::sin(2 * getTime());
+  neck_ -= within(0.03, neck_);  // rad per step: not in one jump
+  head_ += within(0.03, 0.3 + 0.6 * std::sin(2 * getTime()) - head_);
 }
 
 // Far away: walks towards the ball. Near: steps sideways until the ball is in front of the closer foot.
