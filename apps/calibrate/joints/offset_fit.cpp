@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
 
 #include "apps/calibrate/least_squares.hpp"
 #include "core/servo_limits.hpp"
@@ -37,18 +34,6 @@ class LimbFit {
     const std::size_t count = joints_.size();
     const LeastSquares fit = leastSquares([this](const std::vector<double>& x) { return residuals(x); },
                                           std::vector<double>(2 * count), std::vector<double>(2 * count, 1e-4));
-    if (std::getenv("DUMP")) {
-      const auto r = residuals(fit.values);
-      for (std::size_t k = 0; k < points_.size(); ++k)
-        std::printf("P %s up %g %g %g q %.3f load %.4f model %.4f sd %.5f r %.1f\n",
-                    std::string{row(points_[k].joint).name}.c_str(), points_[k].up[0], points_[k].up[1],
-                    points_[k].up[2], points_[k].angles_rad[index(points_[k].joint)], points_[k].load,
-                    points_[k].load - r[k] * points_[k].sigma, points_[k].sigma, r[k]);
-      for (std::size_t i = 0; i < count; ++i)
-        std::printf("S %s scale %.4f sd %.4f offset sd(raw) %.4f deg cost %.0f of %zu\n",
-                    std::string{row(joints_[i]).name}.c_str(), std::exp(fit.values[count + i]), fit.sigmas[count + i],
-                    fit.sigmas[i] / kRadPerDegree, fit.cost, points_.size());
-    }
     // What the model does not explain widens every interval of the limb.
     const double spare = std::max(1.0, static_cast<double>(points_.size()) - 2.0 * static_cast<double>(count));
     const double excess = std::sqrt(std::max(1.0, fit.cost / spare));
