@@ -1,18 +1,16 @@
 #include "apps/calibrate/ini_edit.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
+#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
 
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
+#include "hal/replace_file.hpp"
 
 namespace darwinop::calibrate {
 namespace {
@@ -53,40 +51,6 @@ std::string lineOf(const IniValue& value) {
   throw std::runtime_error(what + path + ": " + std::strerror(errno));
 }
 
-struct Descriptor {
-  int number;
-  ~Descriptor() {
-    if (number >= 0) close(number);
-  }
-};
-
-/// A new file beside `path`, complete on the disk. Returns its name.
-std::string writeBeside(const std::string& path, std::string_view text) {
-  std::string fresh = path + ".XXXXXX";
-  const Descriptor file{mkostemp(fresh.data(), O_CLOEXEC)};
-  if (file.number < 0) refuse(fresh);
-  const auto fail = [&] {
-    const int why = errno;
-    unlink(fresh.c_str());
-    errno = why;
-    refuse(fresh);
-  };
-  struct stat old {};
-  const bool exists = stat(path.c_str(), &old) == 0;
-  if (fchmod(file.number, exists ? old.st_mode & 07777 : 0644) != 0) fail();
-  if (exists && (old.st_uid != geteuid() || old.st_gid != getegid()) &&
-      fchown(file.number, old.st_uid, old.st_gid) != 0)
-    fail();
-  while (!text.empty()) {
-    const ssize_t size = write(file.number, text.data(), text.size());
-    if (size < 0 && errno == EINTR) continue;
-    if (size < 0) fail();
-    text.remove_prefix(static_cast<std::size_t>(size));
-  }
-  if (fsync(file.number) != 0) fail();
-  return fresh;
-}
-
 /// A second name of the old file: its bytes are never copied. An existing name is never taken.
 std::string keep(const std::string& path, const std::string& stamp) {
   const std::string first = path + ".before-" + stamp;
@@ -98,12 +62,6 @@ std::string keep(const std::string& path, const std::string& stamp) {
     kept.append("-").append(std::to_string(number));
   }
   return kept;
-}
-
-void flushFolder(const std::string& path) {
-  const std::string folder = std::filesystem::absolute(path).parent_path();
-  const Descriptor file{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-  if (file.number >= 0) fsync(file.number);
 }
 
 }  // namespace
@@ -136,9 +94,7 @@ std::string withValues(std::string_view text, std::string_view section, const st
 }
 
 std::string replaceKeepingOld(const std::string& path, std::string_view text, const std::string& stamp) {
-  std::error_code missing;
-  const std::filesystem::path real = std::filesystem::canonical(path, missing);  // the target of a symbolic link
-  const std::string file = missing ? path : real.string();
+  const std::string file = linkedFile(path);
   const std::string fresh = writeBeside(file, text);
   try {
     std::string kept = keep(file, stamp);

@@ -2,14 +2,12 @@
 #include "managers/motion_text/motion_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include "hal/text_file.hpp"
+#include "hal/write_text_file.hpp"
 #include "managers/motion_text/page_text.hpp"
 
 namespace darwinop::motion {
@@ -21,20 +19,6 @@ constexpr std::size_t kMaxBytes = 8U << 20U;
 
 std::string_view textOf(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-void writeWhole(const std::filesystem::path& path, const char* data, std::size_t size) {
-  const std::filesystem::path part = path.string() + ".part";
-  std::ofstream file{part, std::ios::binary | std::ios::trunc};
-  file.write(data, static_cast<std::streamsize>(size));
-  file.close();
-  const std::string reason = std::strerror(errno);
-  std::error_code failed;
-  if (file) std::filesystem::rename(part, path, failed);
-  if (file && !failed) return;
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  throw std::runtime_error("cannot write " + path.string() + ": " + (failed ? failed.message() : reason));
 }
 
 }  // namespace
@@ -60,13 +44,13 @@ MotionFile readMotionFile(const std::filesystem::path& path) {
 }
 
 void writeText(const std::filesystem::path& path, const std::string& text) {
-  writeWhole(path, text.data(), text.size());
+  writeTextFile(path.string(), text);
 }
 
 void writeMotionFile(const std::filesystem::path& path, const MotionFile& file) {
   if (file.is_text) return writeText(path, writePages(file.pages));
   const std::vector<std::uint8_t> bytes = encodePages(file.pages);
-  writeWhole(path, reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  writeTextFile(path.string(), textOf(bytes));
 }
 
 }  // namespace darwinop::motion

@@ -3,7 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -84,6 +88,34 @@ TEST(WriteTextFile, ReplacesTheContentAndNamesPathAndReasonWhereItCannot) {
                   testing::HasSubstr((folder / "a.txt/b") + ": " + std::strerror(ENOTDIR))));
   EXPECT_THAT([] { writeTextFile("/dev/full", "no room"); },
               testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(std::strerror(ENOSPC))));
+}
+
+TEST(WriteTextFile, WhereThereIsNoRoomTheOldFileStays) {
+  const TemporaryFolder folder;
+  writeTextFile(folder / "a.txt", "old");
+  ASSERT_EQ(symlink("a.txt", (folder / "link").c_str()), 0);
+  ASSERT_EQ(chmod((folder / "a.txt").c_str(), 0640), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit most{10, 10};  // bytes
+    signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &most);
+    try {
+      writeTextFile(folder / "link", std::string(100, 'x'));
+    } catch (const std::runtime_error&) {
+      _exit(7);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_EQ(readTextFile(folder / "a.txt"), "old");
+  writeTextFile(folder / "link", "new");
+  EXPECT_EQ(readTextFile(folder / "a.txt"), "new") << "a link stays one";
+  struct stat now {};
+  ASSERT_EQ(stat((folder / "a.txt").c_str(), &now), 0);
+  EXPECT_EQ(now.st_mode & 0777, 0640U);
 }
 
 }  // namespace

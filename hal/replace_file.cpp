@@ -1,0 +1,66 @@
+#include "hal/replace_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+namespace darwinop {
+namespace {
+
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) close(number);
+  }
+};
+
+/// 0, or errno.
+int writeWhole(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t size = write(file, text.data(), text.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(size));
+  }
+  return fsync(file) == 0 ? 0 : errno;
+}
+
+int takeModeAndOwner(int file, const std::string& path) {
+  struct stat old {};
+  const bool exists = stat(path.c_str(), &old) == 0;
+  if (fchmod(file, exists ? old.st_mode & 07777 : 0644) != 0) return errno;
+  if (!exists || (old.st_uid == geteuid() && old.st_gid == getegid())) return 0;
+  return fchown(file, old.st_uid, old.st_gid) == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+std::string writeBeside(const std::string& path, std::string_view text) {
+  std::string fresh = path + ".XXXXXX";
+  const Descriptor file{mkostemp(fresh.data(), O_CLOEXEC)};
+  int why = file.number < 0 ? errno : takeModeAndOwner(file.number, path);
+  if (why == 0) why = writeWhole(file.number, text);
+  if (why == 0) return fresh;
+  if (file.number >= 0) unlink(fresh.c_str());
+  throw std::runtime_error("cannot write " + path + ": " + std::strerror(why));
+}
+
+void flushFolder(const std::string& path) {
+  const std::string folder = std::filesystem::absolute(path).parent_path();
+  const Descriptor file{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+  if (file.number >= 0) fsync(file.number);
+}
+
+std::string linkedFile(const std::string& path) {
+  std::error_code missing;
+  const std::filesystem::path real = std::filesystem::canonical(path, missing);
+  return missing ? path : real.string();
+}
+
+}  // namespace darwinop
