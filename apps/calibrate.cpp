@@ -15,6 +15,7 @@
 #include "apps/calibrate/messages.hpp"
 #include "apps/calibrate/opened_robot.hpp"
 #include "calibrate_commands.hpp"
+#include "core/text/letter_case.hpp"
 #include "hal/signals.hpp"
 #include "hal/text_file.hpp"
 #include "parse_arguments.hpp"
@@ -29,11 +30,17 @@ using calibrate::kExitDone;
 using calibrate::kExitNothing;
 using calibrate::kExitWrong;
 
+/// A measurement of minutes is not lost by another answer than y or n; the end of the input is n.
 bool confirmed(const CalibrateOptions& given, const std::string& file) {
   if (given.yes) return true;
-  std::cout << "\nWrite this to " << file << "? The old file is kept. y and Enter: yes > " << std::flush;
-  std::string answer;
-  return std::getline(std::cin, answer) && answer == "y";
+  std::cout << "\nWrite this to " << file << "? The old file is kept.";
+  for (std::string answer;;) {
+    std::cout << " y or n, and Enter > " << std::flush;
+    if (!std::getline(std::cin, answer)) return false;
+    answer = text::lowered(text::withoutBlanks(answer));
+    if (answer == "y" || answer == "yes") return true;
+    if (answer == "n" || answer == "no") return false;
+  }
 }
 
 }  // namespace
@@ -49,12 +56,27 @@ std::string timeText(const char* format) {
   return text;
 }
 
+OpenedRobot openToWrite(const CalibrateOptions& given, bool unattended) {
+  OpenedRobot robot = openRobot(given.robot, given.file, unattended);
+  const std::string file = fileToWrite(robot, given.file);
+  if (!file.empty() && !given.dry_run) requireReplaceable(file);
+  return robot;
+}
+
 int keep(const CalibrateOptions& given, const std::string& file, const std::string& section,
          const std::vector<IniValue>& values) {
-  if (given.dry_run || file.empty() || !confirmed(given, file)) {
+  if (values.empty()) {
+    std::cout << messages::kNothingWritten << '\n';
+    return kExitNothing;
+  }
+  if (given.dry_run || file.empty()) {
     std::cout << messages::kNothingWritten << (file.empty() ? "; a twin's values go to a file that --file names" : "")
               << '\n';
     return kExitDone;
+  }
+  if (!confirmed(given, file)) {
+    std::cout << messages::kNothingWritten << '\n';
+    return kExitNothing;
   }
   const std::string text = withValues(readTextFile(file).value_or(""), section, values);
   static_cast<void>(connect::parseRobotFile(text, file));
@@ -75,7 +97,7 @@ int calibrateJoints(const CalibrateOptions&) {
 namespace {
 
 int calibrateImu(const CalibrateOptions& given) {
-  calibrate::OpenedRobot robot = calibrate::openRobot(given.robot, given.file, given.yes);
+  calibrate::OpenedRobot robot = calibrate::openToWrite(given, given.yes);
   if (!robot.is_twin)
     std::cout
         << "Nothing moves. You hold the trunk still in six postures, " << given.seconds
@@ -103,7 +125,7 @@ int calibrateByHand(const CalibrateOptions& given) {
     if (!joint) throw std::runtime_error(name + messages::kNoSuchJoint);
     joints.push_back(*joint);
   }
-  calibrate::OpenedRobot robot = calibrate::openRobot(given.robot, given.file, false);
+  calibrate::OpenedRobot robot = calibrate::openToWrite(given, false);
   const std::vector<calibrate::HeldJoint> held =
       calibrate::readHeldJoints(*robot.link, joints, std::cin, endRequested(), std::cout);
   if (endRequested() || held.empty()) {
@@ -134,7 +156,7 @@ int command(int count, char** arguments) {
       "  darwinop calibrate imu --robot twin --yes --file robot.ini  try it without hardware\n"
       "  darwinop calibrate joints --robot /dev/ttyUSB0 --file robot.ini  on a PC, trunk in a stand\n"
       "  darwinop calibrate by-hand Neck FootR                       limp joints, held at zero\n"
-      "Exit status: 0 done, 1 nothing found, 2 invalid arguments, file or robot.");
+      "Exit status: 0 done, 1 nothing found or written, 2 invalid arguments, file or robot.");
   CalibrateOptions a;
   CLI::App& imu = *app.add_subcommand("imu", "gyroscope and accelerometer: bias, scale, mounting; nothing moves");
   describe(imu, a);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/calibrate/ini_edit.hpp"
+#include "apps/calibrate/opened_robot.hpp"
 
 namespace darwinop::calibrate {
 
@@ -19,6 +20,9 @@ inline constexpr int kExitDone = 0, kExitNothing = 1, kExitWrong = 2;
 
 /// Of now, as strftime().
 std::string timeText(const char* format);
+
+/// openRobot(); throws std::runtime_error also if the result could not be written.
+OpenedRobot openToWrite(const CalibrateOptions& given, bool unattended);
 
 /// Asks first, and shows where the old file is.
 int keep(const CalibrateOptions& given, const std::string& file, const std::string& section,

@@ -14,9 +14,10 @@ namespace darwinop::calibrate {
 
 int calibrateJoints(const CalibrateOptions& given) {
   GravityModel gravity{twin::readModel(twin::findModel(given.model))};
-  OpenedRobot robot = openRobot(given.robot, given.file, given.yes);
+  OpenedRobot robot = openToWrite(given, given.yes);
   if (!robot.is_twin)
-    std::cout << "Arms, legs and head swing slowly, by 35 deg at most, for " << sweepMinutes()
+    std::cout << "Arms, legs and head swing slowly, by up to " << greatestSweepDeg() << " deg to each side, for "
+              << sweepMinutes()
               << " minutes in each of three postures.\nClamp the trunk in a stand, so that no limb touches anything or "
                  "anybody. Keep hands away from the joints. Ctrl-C makes them limp.\nHold the limbs while a posture "
                  "ends: they fall then.\n";

@@ -1,6 +1,11 @@
 #include "apps/calibrate/opened_robot.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +16,7 @@
 #include "connect/setting.hpp"
 #include "connect/twin_library.hpp"
 #include "hal/cm730/port_messages.hpp"
+#include "hal/replace_file.hpp"
 #include "hal/text_file.hpp"
 #include "runtime/daemon_link.hpp"
 #include "safety/config.hpp"
@@ -50,6 +56,13 @@ OpenedRobot openTwin(const std::string& model, const std::string& file) {
 }
 
 }  // namespace
+
+void requireReplaceable(const std::string& file) {
+  const std::string folder = std::filesystem::absolute(linkedFile(file)).parent_path();
+  if (access(folder.c_str(), W_OK) != 0)
+    throw std::runtime_error(messages::kCannotWrite + file + ": folder " + folder + ": " + std::strerror(errno) +
+                             "; use sudo, another --file, or --dry-run");
+}
 
 OpenedRobot openRobot(const std::string& setting, const std::string& file, bool unattended) {
   // A file that does not exist yet: programs read the defaults, not another robot's file.

@@ -22,6 +22,9 @@ struct OpenedRobot {
 /// `unattended`: no person holds the robot, so it has to be simulated. Throws std::runtime_error with what to do.
 OpenedRobot openRobot(const std::string& setting, const std::string& file, bool unattended);
 
+/// Before anything is measured. Throws std::runtime_error.
+void requireReplaceable(const std::string& file);
+
 /// The file that a calibration of this robot is written to; empty: none, because a twin has no robot.ini.
 std::string fileToWrite(const OpenedRobot& robot, const std::string& file);
 

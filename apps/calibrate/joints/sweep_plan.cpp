@@ -71,6 +71,12 @@ std::vector<std::bitset<kJoints>> rounds(const std::bitset<kJoints>& wanted) {
   return out;
 }
 
+double greatestSweepDeg() {
+  double greatest = 0;
+  for (std::size_t i = 0; i < kJoints; ++i) greatest = std::max(greatest, sweepOf(static_cast<Joint>(i)).amplitude_rad);
+  return std::ceil(greatest / kRadPerDegree);
+}
+
 double sweepMinutes() {
   double seconds = 0;
   for (const std::bitset<kJoints>& round : rounds(sweptJoints({}))) {

@@ -34,6 +34,9 @@ JointValues basePose();
 /// Joints that are swept at the same time: at most one of each limb.
 std::vector<std::bitset<kJoints>> rounds(const std::bitset<kJoints>& wanted);
 
+/// To each side of the base pose, of the joint that swings farthest; rounded up.
+double greatestSweepDeg();
+
 /// In each posture.
 double sweepMinutes();
 

@@ -101,5 +101,11 @@ TEST(SweepPlan, ALimbThatLacksAJointIsLeftOut) {
   EXPECT_EQ(swept.count(), kJoints - 3);
 }
 
+TEST(SweepPlan, TheAngleThatIsAnnouncedIsThatOfTheWidestSweep) {
+  for (std::size_t i = 0; i < kJoints; ++i)
+    EXPECT_LE(sweepOf(static_cast<Joint>(i)).amplitude_rad, greatestSweepDeg() * kRadPerDegree) << kJointTable[i].name;
+  EXPECT_EQ(greatestSweepDeg(), 52) << "docs/calibrate.md says so, too";
+}
+
 }  // namespace
 }  // namespace darwinop::calibrate
