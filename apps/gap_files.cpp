@@ -60,10 +60,14 @@ std::string textOf(const std::string& path) {
   return *text;
 }
 
+void requireNew(const std::string& path) {
+  if (fs::exists(path)) throw std::runtime_error(path + messages::kOutExists);
+}
+
 std::string newCaseFile(const std::string& folder) {
-  const fs::path file = fs::path{folder} / "case.json";
-  if (fs::exists(file)) throw std::runtime_error(file.string() + " exists; give another folder with --out");
-  return file.string();
+  const std::string file = fs::path{folder} / "case.json";
+  requireNew(file);
+  return file;
 }
 
 void requireWritable(const std::string& path) {

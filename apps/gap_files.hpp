@@ -6,10 +6,15 @@
 #include "gap_commands.hpp"
 
 namespace darwinop::gap {
+namespace messages {
+inline constexpr const char* kOutExists = " exists; give another folder with --out";
+}
 
 /// Throws std::runtime_error with the path and the reason.
 std::string textOf(const std::string& path);
 
+/// Throws std::runtime_error if it exists.
+void requireNew(const std::string& path);
 /// PATH of the case.json that a command will write into the folder; throws std::runtime_error if it exists.
 std::string newCaseFile(const std::string& folder);
 /// Before a long computation: throws as writeTextFile() would after it. Nothing stays, and no file is changed.

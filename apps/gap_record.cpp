@@ -1,11 +1,14 @@
 // Records a case of the whole robot: says what to do with the robot, runs an experiment for each recording, looks at it
 // at once, and writes the case.json.
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "connect/setting.hpp"
 #include "core/text/formatted.hpp"
@@ -18,6 +21,7 @@
 #include "gap_files.hpp"
 #include "hal/cm730/port_messages.hpp"
 #include "hal/process/child_process.hpp"
+#include "hal/signals.hpp"
 #include "hal/write_text_file.hpp"
 #include "safety/config.hpp"
 
@@ -30,13 +34,20 @@ using connect::RobotKind;
 constexpr int kStopped = 130;
 constexpr const char* kClamp = "DARWINOP_TWIN_CLAMP";
 
+/// The last signal that asks us to end; 0: none.
+std::atomic<int> ended_by{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+[[nodiscard]] bool isEnded() {
+  return ended_by != 0;
+}
+
 enum class Answer : std::uint8_t { kGoOn, kRepeat, kStop };
 
-/// A line of the terminal; its end ends the command.
+/// A line of the terminal; its end, or a signal, ends the command.
 Answer ask(const std::string& question) {
   std::cout << question << std::flush;
   std::string line;
-  if (!std::getline(std::cin, line) || line == "q") return Answer::kStop;
+  if (!std::getline(std::cin, line) || line == "q" || isEnded()) return Answer::kStop;
   return line == "r" ? Answer::kRepeat : Answer::kGoOn;
 }
 
@@ -77,7 +88,13 @@ int Recorder::run(const PlannedRecording& plan) const {
                                    "--record", recording.string()}};
   if (!given_.robot.empty()) start.command.insert(start.command.end(), {"--robot", given_.robot});
   start.streams = {process::Stream{}, process::Stream::nothing()};  // the plan; what happens is on stderr
-  return process::ChildProcess{start}.wait().shellStatus();
+  process::ChildProcess experiment{start};
+  std::optional<process::Ending> ending;
+  // Those of the terminal have reached the experiment, too; a second one would end it abruptly.
+  for (bool forwarded = false; !(ending = experiment.waitFor(std::chrono::milliseconds{100}));)
+    if (const int signal = ended_by; (signal == SIGTERM || signal == SIGPWR) && !std::exchange(forwarded, true))
+      experiment.signal(SIGTERM);
+  return ending->shellStatus();
 }
 
 std::vector<std::string> Recorder::look(const PlannedRecording& plan, double session_s) {
@@ -104,8 +121,10 @@ bool Recorder::record(const PlannedRecording& plan, std::size_t number, std::siz
     // The servos of a simulated robot are cold again each time.
     const std::chrono::duration<double> since = std::chrono::steady_clock::now() - began_;
     const int status = run(plan);
-    if (status == kStopped) return false;
+    if (status == kStopped || isEnded()) return false;
     if (status == 2) throw std::runtime_error("the experiment " + plan.experiment + " cannot run, see above");
+    if (status != 0 && !asks() && !is_simulated_)  // nobody is there to judge whether it may move again
+      throw std::runtime_error("the robot ended the experiment " + plan.experiment + ", see above");
     const std::size_t before = made_.size();
     std::vector<std::string> problems = look(plan, is_simulated_ ? 0 : since.count());
     if (status != 0) problems.insert(problems.begin(), "the robot ended the experiment, see above");
@@ -149,13 +168,14 @@ int recordBody(const Arguments& asked) {
     given.robot = usual;
   const connect::Setting robot = settingOf(given.robot);
   const std::string file = newCaseFile(given.out);
+  const std::vector<PlannedRecording> plans = plannedRecordings(given.floor);
+  for (const PlannedRecording& plan : plans) requireNew(fs::path{given.out} / plan.file);
   fs::create_directories(given.out);
-  // Ctrl-C ends the experiment, gently; not this program. A handler of ours is not inherited by it.
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, [](int) {});
+  // Ctrl-C ends the experiment, gently, and then this program.
+  onEndSignals([](int number, siginfo_t*, void*) { ended_by = number; });
   const std::string model = modelFor(given.model, given.out);
   const bool is_file = model == "model.ini";
   Recorder recorder{given, robot, is_file ? (fs::path{given.out} / model).string() : model};
-  const std::vector<PlannedRecording> plans = plannedRecordings(given.floor);
   for (std::size_t i = 0; i < plans.size(); ++i)
     if (!recorder.record(plans[i], i + 1, plans.size())) {
       std::cerr << "darwinop gap: stopped; " << given.out << " has no case.json yet\n";

@@ -22,5 +22,21 @@ TEST_F(GapRecordShort, WhatCannotBeRecordedIsRefusedBeforeAnythingMoves) {
   EXPECT_EQ(textOf(file("case/case.json")), "{}");
 }
 
+TEST_F(GapRecordShort, RecordingsOfSomebodyElseAreKept) {
+  std::filesystem::create_directories(file("case"));
+  std::ofstream{file("case/face_down.csv")} << "mine";
+  EXPECT_EQ(gap({"record", "--robot", "twin", "--out", file("case")}, seconds{10}), 2);
+  EXPECT_EQ(textOf(file("case/face_down.csv")), "mine");
+}
+
+TEST_F(GapRecordShort, AKillEndsItAndTheExperimentThatRuns) {
+  Program running{{program("darwinop-gap"), "record", "--robot", "twin", "--out", file("case")}, file("command.txt")};
+  ASSERT_TRUE(running.says("1 of ", seconds{30}));
+  running.kill(SIGTERM);
+  EXPECT_EQ(running.wait(seconds{60}), 130);
+  EXPECT_FALSE(std::filesystem::exists(file("case/case.json")));
+  EXPECT_FALSE(std::filesystem::exists(file("case/left_side.csv"))) << "it has gone on";
+}
+
 }  // namespace
 }  // namespace darwinop
