@@ -1,10 +1,13 @@
 // Runs gnuplot without a shell: script on standard input, picture on standard output.
 #include "experiments/logs/plot/gnuplot.hpp"
 
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
@@ -12,6 +15,7 @@
 #include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/text.hpp"
 #include "hal/process/child_process.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::plot {
 namespace {
@@ -23,6 +27,15 @@ File temporaryFile() {
   File file{std::tmpfile(), &std::fclose};
   if (!file) throw std::runtime_error(std::string{"cannot create a temporary file: "} + std::strerror(errno));
   return file;
+}
+
+std::string contentOf(std::FILE* file) {
+  std::string content;
+  std::array<char, 65536> part{};
+  std::fseek(file, 0, SEEK_SET);
+  for (std::size_t size = 0; (size = std::fread(part.data(), 1, part.size(), file)) > 0;)
+    content.append(part.data(), size);
+  return content;
 }
 
 std::string firstLineOf(std::FILE* file) {
@@ -49,9 +62,9 @@ int run(int input, int output, int errors) try {
 }  // namespace
 
 std::string drawPicture(const Figure& figure, const std::string& path) {
-  const File picture{std::fopen(path.c_str(), "wbe"), &std::fclose};
-  if (!picture)
+  if (access(std::filesystem::absolute(path).parent_path().c_str(), W_OK) != 0)
     throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno) + "; choose another path with -o");
+  const File picture = temporaryFile();
   const File script = temporaryFile(), errors = temporaryFile();
   const std::string commands = gnuplotScript(figure);
   if (std::fwrite(commands.data(), 1, commands.size(), script.get()) != commands.size() ||
@@ -59,8 +72,10 @@ std::string drawPicture(const Figure& figure, const std::string& path) {
     throw std::runtime_error(std::string{"cannot write a temporary file: "} + std::strerror(errno));
   std::rewind(script.get());
   const int result = run(fileno(script.get()), fileno(picture.get()), fileno(errors.get()));
-  if (result == 0) return "";
-  (void)std::remove(path.c_str());
+  if (result == 0) {
+    writeTextFile(path, contentOf(picture.get()));
+    return "";
+  }
   if (result == ENOENT) return "no picture " + path + ": " + messages::kGnuplotMissing;
   if (result > 0) return "no picture " + path + ": cannot start gnuplot: " + std::strerror(result);
   return "no picture " + path + ": gnuplot error: " + firstLineOf(errors.get());

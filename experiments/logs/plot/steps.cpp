@@ -53,8 +53,11 @@ std::vector<GoalStep> largeSteps(const JointColumns& joint, std::size_t from_row
 }
 
 double arrival(const logs::Log& log, const JointColumns& joint, const GoalStep& step) {
+  const std::vector<double>& position = joint.position->values;
   std::size_t row = step.end;
-  while (row > step.begin && std::abs(joint.position->values[row - 1] - step.to) < kArrived) --row;
+  // A reading that is missing neither ends an arrival nor proves it.
+  while (row > step.begin && !(std::abs(position[row - 1] - step.to) >= kArrived)) --row;
+  while (row < step.end && std::isnan(position[row])) ++row;
   if (row == step.end) return std::numeric_limits<double>::quiet_NaN();
   return log.seconds(row) - log.seconds(step.begin);
 }

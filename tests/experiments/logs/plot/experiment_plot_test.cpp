@@ -68,6 +68,14 @@ TEST(ExperimentPlot, SweepWithOvershootEndsWhenItStaysAtTheGoal) {
   EXPECT_NEAR(curve.y.at(0), 30 * 0.016, 1e-6) << "not at row 10, which is an overshoot";
 }
 
+TEST(ExperimentPlot, AReadingThatIsMissingAfterTheArrivalDoesNotMoveIt) {
+  ExperimentLog run{"speed", "Neck.asked [rad],Neck.asked_speed [rad/s],Neck.position [rad]"};
+  for (int i = 0; i < 10; ++i) run.row({-1.5, 1, -1.5}, 1);
+  for (int i = 0; i < 10; ++i) run.row({-1.5, 1, -1.5});
+  for (int i = 0; i < 100; ++i) run.row({1.5, 1, i < 30 ? -1.5 : i == 60 ? NAN : 1.5});
+  EXPECT_NEAR(run.figure().panels.at(0).curves.at(0).y.at(0), 30 * 0.016, 1e-6);
+}
+
 TEST(ExperimentPlot, DampingStartsAtTheRelease) {
   ExperimentLog run{"damping", "ShoulderR.asked [rad],ShoulderR.asked_torque [N m],ShoulderR.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({NAN, NAN, 0}, 1);

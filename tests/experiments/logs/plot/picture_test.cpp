@@ -171,7 +171,10 @@ TEST_F(PlotCommand, OverlaysLogsInPictureAndPage) {
 TEST_F(PlotCommand, WithoutGnuplotWritesThePageAndNamesThePackage) {
   const std::string path = getenv("PATH");
   setenv("PATH", "/nowhere", 1);
+  std::ofstream{folder_ / "old.png"} << "old";
   testing::internal::CaptureStderr();
+  EXPECT_EQ(plotCommand(options(folder_ / "old.png")), 1);
+  EXPECT_EQ(textOf(folder_ / "old.png"), "old");
   EXPECT_EQ(plotCommand(options()), 1);
   setenv("PATH", path.c_str(), 1);
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(messages::kGnuplotMissing));
