@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "connect/robot_file.hpp"
@@ -33,6 +34,10 @@ constexpr const char* kExample =
     "Nothing moves; torque is not changed. Servo power is switched on if it is off.\n"
     "Exit code: 0 the robot can be driven (warnings allowed), 1 it cannot, 2 wrong arguments.";
 
+struct WrongPort : std::runtime_error {
+  using runtime_error::runtime_error;
+};
+
 /// Nothing, and an error finding, if robot.ini is invalid.
 std::optional<connect::RobotFile> readRobotFile(app::DoctorReport& report) {
   try {
@@ -44,6 +49,14 @@ std::optional<connect::RobotFile> readRobotFile(app::DoctorReport& report) {
   }
 }
 
+/// Throws WrongPort.
+std::string portOf(const std::string& asked, const std::optional<connect::RobotFile>& file) try {
+  const std::string from_file = file ? file->port.value_or("") : "";
+  return cm730::choosePort(asked.empty() ? from_file : asked, cm730::candidatePorts());
+} catch (const std::exception& error) {
+  throw WrongPort{error.what()};
+}
+
 int examine(const std::string& asked, bool fix, bool json) {
   app::DoctorReport report{json};
   report.begin("computer");
@@ -51,8 +64,7 @@ int examine(const std::string& asked, bool fix, bool json) {
 
   const std::optional<connect::RobotFile> file = readRobotFile(report);
   const connect::RobotFile robot = file.value_or(connect::RobotFile{});
-  const std::string wanted = asked.empty() ? robot.port.value_or("") : asked;
-  const std::string path = cm730::choosePort(wanted, cm730::candidatePorts());
+  const std::string path = portOf(asked, file);
   if (file) report.add({connect::robotFileFinding(robot, path)});
 
   report.begin("port");
@@ -96,6 +108,9 @@ int main(int argc, char** argv) try {
   app.set_version_flag("--version", DARWINOP_VERSION);
   if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   return examine(robot, fix, json);
+} catch (const WrongPort& error) {
+  std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
+  return app::kWrongArguments;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
   return 1;

@@ -46,6 +46,17 @@ TEST_F(CommandLine, CalibrateByHandNeedsHands) {
   EXPECT_THAT(ended.said, HasSubstr(calibrate::messages::kNoJointRead));
 }
 
+TEST_F(CommandLine, CalibrateSaysBeforeItMeasuresThatItCannotWrite) {
+  const Outcome refused = call("calibrate imu --robot twin --yes --file none/robot.ini");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, testing::StartsWith(std::string{"darwinop calibrate: "} +
+                                                calibrate::messages::kCannotWrite + "none/robot.ini"));
+}
+
+TEST_F(CommandLine, DoctorOnWhatIsNoPortIsAWrongArgument) {
+  EXPECT_EQ(call("doctor --robot virtual").status, 2);
+}
+
 TEST_F(CommandLine, WrongArgumentsEndEveryProgramWithStatus2) {
   for (const char* name : {"calibrate", "demo", "doctor", "experiment", "gap", "monitor", "motion", "remote", "run",
                            "runtime", "supervisor", "twin", "virtual-camera", "virtual-robot", "window"}) {
