@@ -79,9 +79,9 @@ TEST_F(MotionSequence, AMotionIsOverAfterItsDuration) {
 
 /// A key that is held for a second.
 TEST_F(MotionSequence, AMotionThatIsAskedForInEveryStepIsPlayedOnce) {
-  webots::Motion rise{file(kRise)};
+  webots::Motion wave{file(kWave)};
   for (int step = 0; step < 60; ++step) {
-    rise.play();
+    wave.play();
     (void)robot().step(16);
   }
   wait(10'000);
