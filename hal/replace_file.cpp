@@ -10,15 +10,10 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "hal/descriptor.hpp"
+
 namespace darwinop {
 namespace {
-
-struct Descriptor {
-  int number;
-  ~Descriptor() {
-    if (number >= 0) close(number);
-  }
-};
 
 /// 0, or errno.
 int writeWhole(int file, std::string_view text) {

@@ -10,17 +10,12 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "hal/descriptor.hpp"
+
 namespace darwinop {
 namespace {
 
 constexpr const char* kRemedy = "; make it readable for this user (chmod a+r)";
-
-struct Descriptor {
-  int number;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-};
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw std::runtime_error("cannot read " + path + ": " + why);
