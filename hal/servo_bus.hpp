@@ -63,8 +63,8 @@ struct BusReadings {
 class ServoBus {
  public:
   virtual ~ServoBus() = default;
-  /// One SyncWrite (two while a servo works at its torque limit and limits change), and rarely one write to the board
-  /// (LEDs, servo power).
+  /// One SyncWrite to the driven servos (two while a servo works at its torque limit and limits change). What the board
+  /// is to do (LEDs, servo power) is sent after the replies of read().
   virtual void write(const SafeCommands& commands) noexcept = 0;
   /// One BulkRead. Sets every flag (`answered`, `polled`), and the fields whose flag is true; the others keep the
   /// values of earlier cycles. Also sets `wire`, `link` and `silent`.
