@@ -35,6 +35,7 @@ install_bundle() {
   kind=$(autostart_wanted)
   target=$(folder_for "$version" "$manifest")
   if [ "$(version_current)" = "$target" ] && [ ! -e "$home/pending" ] && whole "$home/versions/$target"; then
+    confirmed=1
     finish "$target" "$(version_previous)" "$kind"
     return
   fi

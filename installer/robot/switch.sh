@@ -4,7 +4,7 @@
 # One command per line between the markers: the tests kill the program before each of them.
 
 made_robot_ini=0
-confirmed=0
+confirmed=0    # 1: the target was confirmed before this run and may drive the robot: nothing is taken back
 keep_target=0  # 1: the version under test stays installed if it fails, since it existed before
 
 # switch_to NAME BEFORE AUTOSTART: both versions are complete in versions/; BEFORE may be -.
@@ -25,7 +25,6 @@ switch_to() {
   echo "$before" | put "$home/previous" || back_out "cannot write to $home; check for a full disk"
   rm -f "$home/pending"
   sync
-  confirmed=1
   # <<< transaction
   finish "$target" "$before" "$kind"
 }
@@ -33,7 +32,6 @@ switch_to() {
 # finish NAME BEFORE AUTOSTART: steps after the confirmation. If interrupted, a rerun repeats them.
 finish() {
   target=$1 before=$2 kind=$3
-  confirmed=1
   # >>> transaction
   place_start || back_out "cannot write $home/start; is the disk full?"
   make_user || back_out "the user $usual_user for controllers could not be made: see above"
@@ -50,6 +48,7 @@ finish() {
 # back_out REASON: restores and starts the previous version; without one, removes everything.
 back_out() {
   say "$1"
+  [ "$confirmed" = 0 ] || die "version $target $msg_stays; correct this and install it again"
   if [ "$before" = - ] || [ "$before" = "$target" ]; then
     [ "$before" != "$target" ] || die "version $target stays installed; fix this and install again"
     leave_nothing

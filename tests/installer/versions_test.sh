@@ -27,6 +27,35 @@ scenario_same_version_again_changes_nothing() {
   expect_same_disk --touched "installing the same version twice changed something"
 }
 
+# refuse_user: as while another program has locked the user database.
+refuse_user() {
+  sed -i '/^darwinop:/d' "$ROBOT/etc/passwd"
+  rm "$ROBOT/bin/useradd"
+  printf '#!/bin/sh\nexit 1\n' >"$ROBOT/bin/useradd"
+  chmod 755 "$ROBOT/bin/useradd"
+}
+
+scenario_a_confirmed_version_stays_if_a_later_step_fails_when_it_is_repeated() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  refuse_user
+  run_install --bundle "$v1"
+  expect_status 1
+  expect_said "$msg_stays"
+  expect_version 0.1.0+a
+  expect_confirmed
+  expect_boots 0.1.0+a
+  rm "$ROBOT/bin/useradd"
+  ln -s /.host/sbin/useradd "$ROBOT/bin/"
+  run_install --bundle "$v2"
+  expect_status 0
+  refuse_user
+  run_install --bundle "$v2"
+  expect_status 1
+  expect_said "$msg_stays"
+  expect_version 0.2.0+b
+}
+
 scenario_upgrade_keeps_robot_ini() {
   local v1 v2; v1=$(fake_bundle 0.9.0+a); v2=$(fake_bundle 0.10.0+b)  # numeric comparison
   run_install --bundle "$v1"
