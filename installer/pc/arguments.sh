@@ -40,7 +40,7 @@ Everything is checked before anything changes; a version that fails its self-tes
     --run                and run it; Ctrl-C stops it safely; its arguments after --
     --make-default       and start it at every boot
   --no-default           start no controller at boot; stop the default controller safely
-  --stop                 stop the running controller safely; the default one starts again at the next boot
+  --stop                 stop whatever drives the robot, safely; the default one starts again at the next boot
   --logs [-f]            print the robot's logs; -f follows them
   --remote [--picture 160x120]   remote control until stdin ends; used by darwinop run --robot tcp://USER@HOST
   --remote --window      servers for the robot window until stdin ends; used by darwinop window

@@ -118,7 +118,8 @@ make_no_default() {
   fi
 }
 
-# Stops the default controller and one started by --run. Not an error if none runs.
+# Stops whatever drives: the default controller, one started by --run, a window, a program started on the robot itself.
+# Not an error if none runs. Afterwards nothing drives, or this fails.
 stop_controllers() {
   need_runtime
   stop_sent_controller
@@ -127,6 +128,7 @@ stop_controllers() {
     supervisor --stop-controller || die "cannot stop the default controller. Hold the robot and press MODE briefly"
     say "the default controller is stopped; it starts again at the next boot"
   fi
+  stop_other_driver
 }
 
 # show_logs FOLLOW: prints both logs with their names. FOLLOW = 1: until stdin ends.

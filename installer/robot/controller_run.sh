@@ -27,7 +27,8 @@ run_controller() {
   say "$name runs. Ctrl-C stops it"
   "$home/current/bin/darwinop-run" --robot runtime "$home/controllers/$name" -- "$@" 3<&- &
   runner=$!
-  note_running "$(process_line "$runner")" "$name"
+  # --stop would not find it.
+  note_running "$(process_line "$runner")" "$name" || { stop_process "$runner" && die "cannot write to $home; $name is stopped"; }
   beats=$(mktemp /dev/shm/darwinop-link-XXXXXX 2>/dev/null || mktemp) || beats=/dev/null
   count_beats "$runner" <&3 &
   counter=$!
@@ -172,4 +173,15 @@ stop_sent_controller() {
     kill "${owner%% *}" 2>/dev/null
   fi
   say "$name stopped"
+}
+
+# A holder of the lease that no other step of --stop knows.
+stop_other_driver() {
+  driver=$(robot_driver)
+  [ -n "$driver" ] || return 0
+  name=$(cat "/proc/$driver/comm" 2>/dev/null)
+  stop_process "$driver"
+  driver=$(robot_driver)
+  [ -z "$driver" ] || die "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) $msg_still_drives: sudo kill -INT $driver (on the robot), or hold the robot and press MODE briefly"
+  say "$name $msg_other_stopped"
 }

@@ -99,7 +99,7 @@ start_server() {
   # shellcheck disable=SC2086  # two numbers
   "$home/current/bin/darwinop-remote" --robot runtime --end-with-parent --port 0 $zooms >"$remote_link/said" &
   remote_server=$!
-  note_running "$(process_line "$remote_server")" "$name"
+  note_running "$(process_line "$remote_server")" "$name" || die "cannot write to $home"
   await_port "$remote_server" "$remote_link/said" "the server of remote control"
   step "the server listens on port $port, on the robot's loopback only"
   echo "server $port"
