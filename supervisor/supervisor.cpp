@@ -117,7 +117,10 @@ void Supervisor::take(const Orders& orders) {
     if (next(phase_, PhaseEvent::kStopAsked) != phase_) onEvent(PhaseEvent::kStopAsked, "stopping");
   }
   if (stop_asked_) return;
-  if (orders.stop_controller) controller_.stop(now_);
+  if (orders.stop_controller) {
+    restart_asked_ = false;  // of a rescue: the later command counts
+    controller_.stop(now_);
+  }
   if (!orders.restart_controller) return;
   if (phase_ == SupervisorPhase::kRescue) {
     restart_asked_ = true;  // the robot comes to rest first

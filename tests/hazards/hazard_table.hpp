@@ -303,6 +303,9 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "window_test:WindowSteeringSession.StopWorksWhileTheLastStepsAreCompleted "
      "window_test:WindowSteeringSession.EveryPageCanStopTheRobot",
      "always"},
+    {"H419", "The robot rises when its cable is plugged in", "a restart waits for a rescue and is then stopped",
+     "a stop cancels what waits", "stays limp",
+     "supervisor_system_test:Home.AStopOfTheControllerCancelsARestartThatWaitsForARescue", "process"},
     {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
      "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "

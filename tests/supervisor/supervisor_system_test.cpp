@@ -155,6 +155,26 @@ TEST_F(Home, ARuntimeDeathDuringUnplugIsRescuedAfterReplug) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
+/// The cable is out: a restart waits for the rescue, and the stop that follows ends this too.
+TEST_F(Home, AStopOfTheControllerCancelsARestartThatWaitsForARescue) {
+  startVirtualRobot("8 unplug for 12\n");
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands", seconds{8})) << supervisor_->output() << controllerLog();
+  ASSERT_TRUE(within(seconds{12}, [&] {
+    const Sensors seen = sensors();
+    return seen.cycle != 0 && seen.safety.state == State::kOffline;
+  }));
+  kill(status().runtime_pid, SIGKILL);
+  ASSERT_TRUE(says(messages::kCannotReachRobot, seconds{10})) << supervisor_->output();
+  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
+  EXPECT_EQ(ask("--stop-controller"), 0) << said_;
+  ASSERT_TRUE(says(messages::kRescued, seconds{40})) << supervisor_->output();
+  EXPECT_FALSE(within(seconds{5}, [&] { return status().runtime_pid != 0 || status().controller_pid != 0; }))
+      << supervisor_->output();
+  EXPECT_EQ(registers().stiff, 0);
+}
+
 TEST_F(Home, AfterThreeCrashesTheRobotIsHeldWithRedLights) {
   startVirtualRobot();
   plan("crash");
