@@ -8,10 +8,16 @@ demo_ended=
 bring_to_rest() {
   [ -x "$home/current/bin/darwinop-supervisor" ] || return 0
   say "bringing the robot to rest"
-  within 90 "$home/current/bin/darwinop-supervisor" --stop >&2 </dev/null && return
-  [ "$force" = 0 ] || { say "the robot may be under torque, see above: hold it; continuing because of --force" && return; }
-  die "the supervisor did not bring the robot to rest, see above; nothing was changed. Restart the robot, or add --force"
+  within 90 "$home/current/bin/darwinop-supervisor" --stop >&2 </dev/null || {
+    [ "$force" = 1 ] ||
+      die "the supervisor did not bring the robot to rest, see above; nothing was changed. Restart the robot, or add --force"
+    say "the robot may be under torque, see above: hold it; continuing because of --force"
+  }
+  # A unit that failed waits for its next automatic start, which would take back the version under test.
+  ! has_unit || within 100 systemctl stop darwinop.service || say "systemd did not stop darwinop.service; see 'systemctl status darwinop'"
 }
+
+has_unit() { [ -d /run/systemd/system ] && [ -f "$(unit_file)" ] && command -v systemctl >/dev/null 2>&1; }
 
 # The ROBOTIS demo holds the serial port. It ends on SIGTERM; the servos keep their last goals.
 end_demo() {
@@ -75,7 +81,7 @@ start_supervisor() {
 }
 
 launch_supervisor() {
-  if [ -d /run/systemd/system ] && [ -f "$etc/systemd/system/darwinop.service" ] && command -v systemctl >/dev/null 2>&1; then
+  if has_unit; then
     systemctl daemon-reload
     systemctl restart darwinop.service || say "systemd did not start darwinop.service; see 'systemctl status darwinop'"
     return 0

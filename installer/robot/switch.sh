@@ -22,12 +22,16 @@ switch_to() {
   point "$home/current" "versions/$target" || back_out "cannot change $home/current"
   sync
   self_test || back_out "the self-test of version $target failed: see above"
+  still_pending || back_out "$msg_started_meanwhile"
   echo "$before" | put "$home/previous" || back_out "cannot write to $home; check for a full disk"
   rm -f "$home/pending"
   sync
   # <<< transaction
   finish "$target" "$before" "$kind"
 }
+
+# False if $home/start ran during the self-test and took the version back.
+still_pending() { [ -s "$home/pending" ] && [ "$(version_current)" = "$target" ]; }
 
 # finish NAME BEFORE AUTOSTART: steps after the confirmation. If interrupted, a rerun repeats them.
 finish() {

@@ -152,6 +152,33 @@ scenario_failed_self_test_brings_the_previous_version_back() {
   expect_version 0.2.0+b
 }
 
+scenario_a_start_during_the_self_test_takes_the_new_version_back_and_it_is_said() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  : >"$ROBOT/run/start-in-self-test"
+  run_install --bundle "$v2"
+  expect_status 4
+  expect_said "$msg_started_meanwhile"
+  expect_version 0.1.0+a
+  expect_confirmed
+  rm "$ROBOT/run/start-in-self-test"
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_version 0.2.0+b
+}
+
+# A supervisor that systemd starts again and again: the next start would come within seconds.
+scenario_a_unit_is_stopped_before_a_new_version_is_tried() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  mkdir -p "$ROBOT/run/systemd/system"
+  printf '#!/bin/sh\necho "$* $(readlink /opt/darwinop/current)" >>/run/systemctl-calls\n' >"$ROBOT/bin/systemctl"
+  chmod 755 "$ROBOT/bin/systemctl"
+  run_install --bundle "$v1"
+  run_install --bundle "$v2"
+  expect_status 0
+  grep -qx 'stop darwinop.service versions/0.1.0+a' "$ROBOT/run/systemctl-calls" || fail "systemctl was asked: $(cat "$ROBOT/run/systemctl-calls")"
+}
+
 scenario_bundle_whose_manifest_lies() {
   local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
   run_install --bundle "$v1"
