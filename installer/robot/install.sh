@@ -40,7 +40,8 @@ install_bundle() {
     return
   fi
   before=$(version_confirmed)
-  [ "$before" != "$target" ] || before=$(version_previous)
+  # Over a version under test: a failure returns to the confirmed one.
+  [ "$before" != "$target" ] || [ -s "$home/pending" ] || before=$(version_previous)
   whole "$home/versions/$target" 2>/dev/null || stage "$target"
   switch_to "$target" "$before" "$kind"
 }

@@ -40,16 +40,15 @@ roll_back() {
   settings "$@"
   keep_target=1
   if [ ! -e "$home" ]; then die "$msg_nothing_installed on this robot, so there is no previous version"; fi
-  target=$(version_previous)
-  # Unconfirmed: the version under test is replaced by the previous one.
-  [ ! -s "$home/pending" ] || target=$(cat "$home/pending")
+  target=$(version_previous) before=$(version_current)
+  # The version under test is replaced by the confirmed one; no failure may return to what is untested.
+  if [ -s "$home/pending" ]; then target=$(cat "$home/pending") before=$target; fi
   if [ "$target" = - ]; then die "there is no previous version; only $(version_current) is installed"; fi
   whole "$home/versions/$target" || die "version $target is damaged; nothing was changed. Install the desired version instead"
   if [ "$dry_run" = 1 ]; then say "would return from $(version_current) to $target" && return; fi
   lock
   remove_leftovers
   kind=$(autostart_wanted)
-  before=$(version_current)
-  say "returning from $before to $target"
+  say "returning from $(version_current) to $target"
   switch_to "$target" "$before" "$kind"
 }

@@ -7,7 +7,8 @@ made_robot_ini=0
 confirmed=0    # 1: the target was confirmed before this run and may drive the robot: nothing is taken back
 keep_target=0  # 1: the version under test stays installed if it fails, since it existed before
 
-# switch_to NAME BEFORE AUTOSTART: both versions are complete in versions/; BEFORE may be -.
+# switch_to NAME BEFORE AUTOSTART: both versions are complete in versions/; BEFORE may be -, or NAME if
+# it replaces a version under test.
 switch_to() {
   target=$1 before=$2 kind=$3
   # >>> transaction
@@ -53,8 +54,7 @@ finish() {
 back_out() {
   say "$1"
   [ "$confirmed" = 0 ] || die "version $target $msg_stays; correct this and install it again"
-  if [ "$before" = - ] || [ "$before" = "$target" ]; then
-    [ "$before" != "$target" ] || die "version $target stays installed; fix this and install again"
+  if [ "$before" = - ]; then
     leave_nothing
     die "version $target removed; the robot is as before${demo_ended:+, but the ROBOTIS demo runs again only after the next boot}"
   fi
@@ -62,7 +62,7 @@ back_out() {
   point "$home/current" "versions/$before"
   sync
   rm -f "$home/pending"
-  [ "$keep_target" = 1 ] || discard "$target"
+  [ "$keep_target" = 1 ] || [ "$before" = "$target" ] || discard "$target"
   sync
   start_supervisor
   # <<< transaction

@@ -358,4 +358,30 @@ scenario_unconfirmed_first_version_goes_at_the_next_boot() {
   expect_boots 0.1.0+a
 }
 
+# An installation of v2 over v1 that died in its self-test, on a robot whose power was then switched off.
+leave_v2_untested() {
+  hold_an_install "$1"
+  robot_kill_sessions
+  wait "$held" || true
+  rm "$ROBOT/run/hold-self-test"
+  [ "$(version_now)" = 0.2.0+b ] || fail "the test did not come to an unconfirmed version"
+  : >"$ROBOT/run/fail-self-test"
+}
+
+scenario_what_replaces_an_unconfirmed_version_and_fails_does_not_confirm_it() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  leave_v2_untested "$v2"
+  run_install --rollback
+  expect_status 4
+  expect_version 0.1.0+a
+  expect_confirmed
+  leave_v2_untested "$v2"
+  run_install --bundle "$v1"
+  expect_status 4
+  expect_version 0.1.0+a
+  expect_confirmed
+  expect_boots 0.1.0+a
+}
+
 run_scenarios "$@"
