@@ -30,6 +30,8 @@ receive_controller() {
     mv "$controllers/$1" "$controllers/$1.by-hand-$$" || die "cannot move $controllers/$1 away"
     say "$controllers/$1 was not created by darwinop install; renamed to $1.by-hand-$$"
   fi
+  # All files are on the disk before the link names them: a power failure would leave an empty program.
+  sync
   # The temporary name is hidden; controller names never are.
   { ln -s "${sent##*/}/$1" "$controllers/.link-$$" && mv -T -f "$controllers/.link-$$" "$controllers/$1"; } ||
     die "cannot link $controllers/$1; $1 was not changed"

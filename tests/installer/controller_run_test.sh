@@ -352,6 +352,20 @@ scenario_a_cut_sending_leaves_the_old_controller() {
   [ "$(chroot "$ROBOT" /opt/darwinop/controllers/walker/walker)" = new ] || fail "the new controller did not arrive"
 }
 
+scenario_a_controller_is_on_the_disk_before_its_name_leads_to_it() {
+  local first
+  controller walker 'return 0;'
+  run_install --controller "$LAB/pc/walker"
+  first=$(readlink "$ROBOT/opt/darwinop/controllers/walker")
+  rm "$ROBOT/bin/sync"
+  printf '#!/bin/sh\nreadlink /opt/darwinop/controllers/walker >>/run/synced\n' >"$ROBOT/bin/sync"
+  chmod 755 "$ROBOT/bin/sync"
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  [ "$(head -n 1 "$ROBOT/run/synced")" = "$first" ] || fail "synced: $(cat "$ROBOT/run/synced")"
+  [ "$(tail -n 1 "$ROBOT/run/synced")" != "$first" ] || fail "the new name was not written to the disk"
+}
+
 scenario_a_full_disk_is_refused_before_anything_is_sent() {
   controller walker 'return 0;'
   mkdir "$ROBOT/opt/darwinop/controllers"
