@@ -19,7 +19,7 @@ bring_to_rest() {
 
 has_unit() { [ -d /run/systemd/system ] && [ -f "$(unit_file)" ] && command -v systemctl >/dev/null 2>&1; }
 
-# The ROBOTIS demo holds the serial port. It ends on SIGTERM; the servos keep their last goals.
+# The ROBOTIS demo uses the serial port without a lock, so the runtime would open it as well. It ends on SIGTERM; the servos keep their last goals.
 end_demo() {
   for process in /proc/[0-9]*; do
     case $(readlink "$process/exe" 2>/dev/null) in

@@ -45,6 +45,7 @@ finish() {
   autostart_set "$kind" || back_out "the autostart could not be set up"
   discard_others "$target" "$before"
   sync
+  end_demo
   start_supervisor
   # <<< transaction
   say "version $target $msg_confirmed"

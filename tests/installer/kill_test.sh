@@ -85,6 +85,24 @@ fresh_install_killed() {
 scenario_fresh_install_killed_at_odd_places() { fresh_install_killed 0; }
 scenario_fresh_install_killed_at_even_places() { fresh_install_killed 1; }
 
+# Confirmed, but not yet in the autostart: the next boot has started the demo.
+scenario_an_installation_that_is_completed_ends_the_demo() {
+  local v1 demo=$ROBOT/darwin/Linux/project/demo/demo process; v1=$(fake_bundle 0.1.0+a)
+  login=robotis
+  changed_installer 'kill -9 $$' "switch.sh:$(grep -n '  autostart_set ' "$SOURCE/installer/robot/switch.sh" | cut -d: -f1)"
+  run_changed --bundle "$v1"
+  robot_quiet
+  expect_version 0.1.0+a
+  expect_confirmed
+  rm "$demo"
+  cp /usr/bin/sleep "$demo"
+  chroot "$ROBOT" "${demo#"$ROBOT"}" 300 &
+  process=$!
+  run_install -i "$LAB/pc/key" --bundle "$v1"
+  expect_status 0
+  ! kill -0 "$process" 2>/dev/null || fail "the demo goes on beside the runtime"
+}
+
 # A failed self-test reverts the version, which must be equally safe.
 after_failed_self_test() {
   rm "$ROBOT/run/fail-self-test"
