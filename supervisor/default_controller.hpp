@@ -33,11 +33,15 @@ class DefaultController {
   void stop(Nanos now);
   /// Ends it if it runs, and starts again from the start pose.
   void restart(Nanos now);
+  /// Call before the first update: only restart() starts it.
+  void stayEnded(const std::string& why) { become(State::kOver, why); }
   /// The loop is gone: the controller cannot drive, and its exit status is not evaluated.
   void runtimeLost(Nanos now);
 
   /// No process of it exists, and the robot is not held in its place.
   [[nodiscard]] bool over() const { return state_ == State::kOver; }
+  /// It was stopped, has ended or has failed: only restart() starts it again.
+  [[nodiscard]] bool staysEnded() const { return over() || state_ == State::kHeld; }
   void report(Status& status, Nanos now) const;
 
  private:

@@ -23,6 +23,13 @@ inline constexpr const char* kHowToReset = "press START, or run: darwinop runtim
 inline constexpr const char* kNotStarted = " not started: ";  // after the controller's name, before the reason
 
 // supervisor.cpp, supervisor_runtime.cpp
+inline constexpr const char* kAfterKill =
+    "not started: the last supervisor was killed or did not bring the robot to rest; start it with: darwinop "
+    "supervisor "
+    "--restart-controller";
+inline constexpr const char* kStaysEnded =
+    "not started: it was stopped or had ended; it starts at the next boot, or with: darwinop supervisor "
+    "--restart-controller";
 inline constexpr const char* kRuntimeReady = "runtime: ready";
 inline constexpr const char* kRescues = "; bringing the robot to rest: ";                       // then the steps
 inline constexpr const char* kCannotReachRobot = "rescue: cannot reach the robot, retrying: ";  // then the reason

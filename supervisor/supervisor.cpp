@@ -50,6 +50,11 @@ Supervisor::Supervisor(const Setup& setup)
       controller_{checkedHome(setup.home), files_},
       logs_{{setup.home + "/log/supervisor.log", setup.home + "/log/controller.log"}},
       start_wait_{kFirstWait} {
+  // /dev/shm forgets at boot. Until then nothing but a person lets the robot get up again.
+  if (const auto last = readStatus(own_.status)) {
+    if (!last->at_rest) controller_.stayEnded(messages::kAfterKill);
+    if (last->at_rest && last->stays_ended) controller_.stayEnded(messages::kStaysEnded);
+  }
   unlink(own_.status.c_str());  // what an earlier supervisor recorded holds no longer, even if no record can be written
 }
 
@@ -111,6 +116,7 @@ void Supervisor::take(const Orders& orders) {
   orders_ += orders.stop || orders.stop_controller || orders.restart_controller ? 1 : 0;
   if (orders.stop && !stop_asked_) {
     stop_asked_ = true;
+    stays_ended_ = controller_.staysEnded();
     restart_asked_ = false;
     controller_.stop(now_);
     stop_rescue_at_ = now_ + kTimeToReachRobot;
@@ -140,6 +146,7 @@ void Supervisor::publishStatus() {
   status.orders = orders_;
   if (phase_ == SupervisorPhase::kOver && failed_) status.left = robot_.substr(kSeparator.size());
   status.at_rest = phase_ == SupervisorPhase::kOver && !failed_;
+  status.stays_ended = stays_ended_;
   if (phase_ != SupervisorPhase::kUp) status.state = state_text_;
   if (status == published_) return;
   if (writeStatus(status, own_.status)) published_ = status;

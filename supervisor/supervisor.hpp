@@ -80,6 +80,7 @@ class Supervisor {
   Nanos kill_at_{0};         // time of SIGKILL for the runtime
   Nanos stop_rescue_at_{0};  // after a stop command in a rescue that has not reached the robot
   bool stop_asked_ = false, restart_asked_ = false;
+  bool stays_ended_ = false;   // the controller was not to run when the stop command came
   bool failed_ = false;        // joints may be under torque
   runtime::JointSet present_;  // servos that answered the runtime which the rescue follows
   std::string robot_;          // state after the last loop, as the end of a message; empty: unknown

@@ -306,6 +306,12 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H419", "The robot rises when its cable is plugged in", "a restart waits for a rescue and is then stopped",
      "a stop cancels what waits", "stays limp",
      "supervisor_system_test:Home.AStopOfTheControllerCancelsARestartThatWaitsForARescue", "process"},
+    {"H420", "The robot gets up by itself", "the supervisor was killed and is started again",
+     "after that only a person starts the controller", "runtime starts, robot limp",
+     "supervisor_system_test:Home.AfterAKilledSupervisorTheNextStartsNoController", "process"},
+    {"H421", "The robot gets up during an upgrade", "its controller was stopped before",
+     "a stop holds until the next boot or a person's restart", "runtime starts, robot limp",
+     "supervisor_system_test:Home.AControllerThatWasStoppedStaysSoWithTheNextSupervisor", "process"},
     {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
      "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "

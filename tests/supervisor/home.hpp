@@ -76,6 +76,8 @@ class Home : public Rig {
   [[nodiscard]] Status status() const {
     return readStatus(SupervisorFiles{runtime::RuntimeFiles{}}.status).value_or(Status{});
   }
+  /// As if the last supervisor could not have recorded how it ended.
+  static void forgetRecord() { std::filesystem::remove(SupervisorFiles{runtime::RuntimeFiles{}}.status); }
   [[nodiscard]] std::string controllerLog() const {
     std::ostringstream text;
     text << std::ifstream{folder_ / "home/log/controller.log"}.rdbuf();

@@ -224,6 +224,39 @@ TEST_F(Home, AKilledSupervisorEndsItsChildrenNormally) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
+TEST_F(Home, AfterAKilledSupervisorTheNextStartsNoController) {
+  startVirtualRobot();
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  supervisor_->kill(SIGKILL);
+  EXPECT_TRUE(within(seconds{20}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
+  startSupervisor();  // as systemd does after 5 s
+  ASSERT_TRUE(says(messages::kAfterKill)) << supervisor_->output();
+  ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
+  EXPECT_FALSE(within(seconds{6}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
+  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
+  EXPECT_TRUE(within(seconds{20}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
+}
+
+TEST_F(Home, AControllerThatWasStoppedStaysSoWithTheNextSupervisor) {
+  startVirtualRobot();
+  plan("sit");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  EXPECT_EQ(ask("--stop"), 0) << said_;
+  supervisor_->wait(seconds{5});
+  startSupervisor();  // it ran before, so it runs again
+  ASSERT_TRUE(within(seconds{20}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
+  EXPECT_EQ(ask("--stop-controller"), 0) << said_;
+  EXPECT_EQ(ask("--stop"), 0) << said_;
+  supervisor_->wait(seconds{5});
+  startSupervisor();  // as in an upgrade
+  ASSERT_TRUE(says(messages::kStaysEnded)) << supervisor_->output();
+  ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
+  EXPECT_FALSE(within(seconds{6}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
+}
+
 TEST_F(Home, StopEndsEvenAnUnresponsiveController) {
   startVirtualRobot();
   plan("unresponsive");
@@ -324,9 +357,10 @@ TEST_F(Home, AfterAnOperatorsReleaseItWaitsForAReset) {
   EXPECT_FALSE(anyTorqueSince(released, sensors()));
   EXPECT_EQ(status().controller_pid, 0);
 
-  // Killed and restarted by a program, like systemd.
+  // Killed and restarted by a program, like systemd. Without the record only the release keeps the robot limp.
   supervisor_->kill(SIGKILL);
   EXPECT_TRUE(within(seconds{20}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
+  forgetRecord();
   startSupervisor();
   ASSERT_TRUE(says(waitingFor(Fault::kReleasedByOperator))) << supervisor_->output();
   std::this_thread::sleep_for(milliseconds{2500});
@@ -351,6 +385,7 @@ TEST_F(Home, AfterAResetWhileNoLoopRanItWaitsForAPerson) {
   EXPECT_TRUE(within(seconds{5}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
   pressReset();
 
+  forgetRecord();
   startSupervisor();
   ASSERT_TRUE(says(waitingFor(Fault::kReleasedByOperator))) << supervisor_->output();
   std::this_thread::sleep_for(milliseconds{2500});
