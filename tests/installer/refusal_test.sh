@@ -152,7 +152,7 @@ scenario_failed_self_test_brings_the_previous_version_back() {
   expect_version 0.2.0+b
 }
 
-scenario_a_start_during_the_self_test_takes_the_new_version_back_and_it_is_said() {
+scenario_a_start_during_the_self_test_takes_the_new_version_back_and_is_reported() {
   local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
   run_install --bundle "$v1"
   : >"$ROBOT/run/start-in-self-test"
