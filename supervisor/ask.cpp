@@ -98,7 +98,7 @@ int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function
     const auto status = readStatus(path);
     return ended || (status && status->orders != orders && done(*status));
   });
-  if (ended) throw std::runtime_error("the supervisor has ended before it took the command");
+  if (ended) throw std::runtime_error(messages::kEndedBefore);
   if (!carried_out)
     throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
                              ") has not completed the command within a minute; its state: " + stateOf(files));
@@ -156,7 +156,7 @@ int stopController(const runtime::RuntimeFiles& files) {
 }
 
 int restartController(const runtime::RuntimeFiles& files) {
-  return carryOut(files, kRestartControllerSignal, [](const Status&) { return true; });
+  return carryOut(files, kRestartControllerSignal, [](const Status& status) { return !status.stopping; });
 }
 
 }  // namespace darwinop::supervisor

@@ -4,6 +4,7 @@
 namespace darwinop::supervisor::messages {
 
 // ask.cpp
+inline constexpr const char* kEndedBefore = "the supervisor has ended before it took the command";
 inline constexpr const char* kNoSupervisor = "no supervisor runs";
 inline constexpr const char* kNoRecordOfRest =  // then the file
     "the last supervisor has not recorded that the robot is at rest: it was killed (its runtime then brings the robot "

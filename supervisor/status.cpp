@@ -42,8 +42,8 @@ bool writeStatus(const Status& status, const std::string& path) {
   text << "home " << oneLine(status.home) << "\nstate " << oneLine(status.state) << "\ncontroller "
        << oneLine(status.controller) << "\nruntime_pid " << status.runtime_pid << "\ncontroller_pid "
        << status.controller_pid << "\ncrashes " << status.crashes << "\norders " << status.orders << "\nleft "
-       << oneLine(status.left) << "\nat_rest " << status.at_rest << "\nstays_ended " << status.stays_ended
-       << "\ncontroller_ended " << status.controller_ended << '\n';
+       << oneLine(status.left) << "\nat_rest " << status.at_rest << "\nstopping " << status.stopping << "\nstays_ended "
+       << status.stays_ended << "\ncontroller_ended " << status.controller_ended << '\n';
   std::string fresh = path + ".XXXXXX";  // a name that no other user can take beforehand
   const int fd = mkostemp(fresh.data(), O_CLOEXEC);
   if (fd < 0) return false;
@@ -73,6 +73,7 @@ std::optional<Status> readStatus(const std::string& path) {
   status.orders = static_cast<std::uint32_t>(number("orders"));
   status.left = found["left"];
   status.at_rest = number("at_rest") != 0;
+  status.stopping = number("stopping") != 0;
   status.stays_ended = number("stays_ended") != 0;
   status.controller_ended = number("controller_ended") != 0;
   return status;

@@ -27,6 +27,7 @@ struct Status {
   std::uint32_t orders = 0;                   // completed so far
   std::string left;                           // at the end: sentence if joints may be under torque
   bool at_rest = false;                       // at the end: no joint is under torque
+  bool stopping = false;                      // the stop command was given: no other starts anything
   bool stays_ended = false;       // at the end: the controller was not to run before the stop command either
   bool controller_ended = false;  // and will not be restarted automatically
 

@@ -146,6 +146,7 @@ void Supervisor::publishStatus() {
   status.orders = orders_;
   if (phase_ == SupervisorPhase::kOver && failed_) status.left = robot_.substr(kSeparator.size());
   status.at_rest = phase_ == SupervisorPhase::kOver && !failed_;
+  status.stopping = stop_asked_;
   status.stays_ended = stays_ended_;
   if (phase_ != SupervisorPhase::kUp) status.state = state_text_;
   if (status == published_) return;

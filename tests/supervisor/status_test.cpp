@@ -21,6 +21,7 @@ TEST(Status, WhatIsWrittenIsRead) {
   status.orders = 7;
   status.left = "a sentence";
   status.at_rest = true;
+  status.stopping = true;
   status.stays_ended = true;
   status.controller_ended = true;
   ASSERT_TRUE(writeStatus(status, folder / "status"));

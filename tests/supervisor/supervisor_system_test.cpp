@@ -274,6 +274,17 @@ TEST_F(Home, StopEndsEvenAnUnresponsiveController) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
+TEST_F(Home, ARestartFailsWhileTheSupervisorStops) {
+  startVirtualRobot();
+  plan("unresponsive");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  supervisor_->kill(SIGTERM);
+  ASSERT_TRUE(within(seconds{3}, [&] { return status().stopping; }));
+  EXPECT_EQ(ask("--restart-controller"), 1);
+  EXPECT_THAT(said_, HasSubstr(messages::kEndedBefore));
+}
+
 TEST_F(Home, TheDefaultControllerWaitsUntilTheRobotSitsUpright) {
   startVirtualRobot("0 fallen front for 3\n");
   plan("once");
