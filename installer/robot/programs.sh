@@ -77,6 +77,8 @@ start_supervisor() {
     say "not starting the supervisor"
     return 0
   fi
+  ! default=$(readlink "$home/default") ||
+    say "$msg_keep_clear: ${default##*/} starts in the start pose, unless it was stopped or had ended"
   launch_supervisor
 }
 

@@ -109,6 +109,16 @@ scenario_rollback_there_and_back() {
   expect_version 0.2.0+b
 }
 
+scenario_a_start_of_the_default_controller_is_announced() {
+  run_install --bundle "$(fake_bundle 0.1.0+a)"
+  expect_not_said "$msg_keep_clear"
+  ln -s controllers/walker "$ROBOT/opt/darwinop/default"
+  run_install --bundle "$(fake_bundle 0.2.0+b)"
+  expect_said "$msg_keep_clear: walker "
+  run_install --rollback
+  expect_said "$msg_keep_clear: walker "
+}
+
 scenario_rollback_with_nothing_to_go_back_to() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   run_install --rollback
