@@ -56,12 +56,14 @@ make_user_by_hand() {
     id_of_group=$(sed -n "s/^$usual_user:[^:]*:\([0-9]*\):.*/\1/p" "$etc/group")
   else
     id_of_group=$id
-    awk -F: -v OFS=: -v devices="$devices," -v user=$usual_user '
-      index(devices, "," $1 ",") { $4 = $4 ($4 == "" ? "" : ",") user } { print }' "$etc/group" |
-      { cat && echo "$usual_user:x:$id:"; } | put "$etc/group" || return
+    # Complete before it is written: in a pipe, `put` would not see that awk has failed.
+    lines=$(awk -F: -v OFS=: -v devices="$devices," -v user=$usual_user '
+      index(devices, "," $1 ",") { $4 = $4 ($4 == "" ? "" : ",") user } { print }' "$etc/group") || return
+    printf '%s\n' "$lines" "$usual_user:x:$id:" | put "$etc/group" || return
   fi
-  user_exists $usual_user || { cat "$etc/passwd" &&
-    echo "$usual_user:*:$id:$id_of_group:darwinop-rt controllers:/nonexistent:/bin/false"; } | put "$etc/passwd"
+  user_exists $usual_user && return
+  lines=$(cat "$etc/passwd") || return
+  printf '%s\n' "$lines" "$usual_user:*:$id:$id_of_group:darwinop-rt controllers:/nonexistent:/bin/false" | put "$etc/passwd"
 }
 
 # Removes only what we created.
@@ -78,9 +80,10 @@ remove_user() {
 
 remove_by_hand() { # user|group
   case $1 in
-    user) sed "/^$usual_user:/d" "$etc/passwd" | put "$etc/passwd" ;;
-    group) sed "/^$usual_user:/d; s/,$usual_user\$//; s/:$usual_user\$/:/" "$etc/group" | put "$etc/group" ;;
+    user) base=passwd lines=$(sed "/^$usual_user:/d" "$etc/passwd") || return ;;
+    group) base=group lines=$(sed "/^$usual_user:/d; s/,$usual_user\$//; s/:$usual_user\$/:/" "$etc/group") || return ;;
   esac
+  printf '%s\n' "$lines" | put "$etc/$base"
 }
 
 # own FOLDER: changes the owner of FOLDER and its contents to the controller's user. Other users must have no access

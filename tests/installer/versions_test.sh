@@ -219,6 +219,34 @@ scenario_controllers_get_a_user_without_rights_and_uninstall_removes_it() {
   done
 }
 
+# fail_on PROGRAM FILE: from now on it writes half of its output for this file, and fails.
+fail_on() {
+  rm "$ROBOT/bin/$1"
+  cat >"$ROBOT/bin/$1" <<END
+#!/bin/sh
+case "\$*" in *darwinop*$2) head -n 1 $2; exit 1 ;; esac
+exec /.host/bin/busybox $1 "\$@"
+END
+  chmod 755 "$ROBOT/bin/$1"
+}
+
+scenario_a_tool_that_fails_leaves_the_user_database_whole() {
+  robot_new busybox
+  remember_disk
+  fail_on awk /etc/group
+  run_install --bundle "$(fake_bundle 0.1.0+a)"
+  expect_status 1
+  rm "$ROBOT/bin/awk"
+  ln -s /.host/bin/busybox "$ROBOT/bin/awk"
+  expect_same_disk "half a file replaced the groups"
+  run_install --bundle "$(fake_bundle 0.1.0+a)"
+  expect_status 0
+  cp "$ROBOT/etc/passwd" "$LAB/passwd"
+  fail_on sed /etc/passwd
+  run_install --uninstall
+  cmp -s "$ROBOT/etc/passwd" "$LAB/passwd" || fail "half a file replaced the users"
+}
+
 scenario_a_user_that_was_there_stays() {
   echo 'darwinop:x:990:990::/home/darwinop:/bin/sh' >>"$ROBOT/etc/passwd"
   remember_disk
