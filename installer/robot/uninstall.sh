@@ -30,7 +30,12 @@ uninstall() {
 
 # Prints changed settings of robot.ini before removing it: offsets are laborious to determine.
 show_own_settings() {
-  own=$(grep -v -x -F -f "$home/current/share/darwinop/robot.ini" "$home/robot.ini" 2>/dev/null) || return 0
+  [ -s "$home/robot.ini" ] || return 0
+  if [ -f "$home/current/share/darwinop/robot.ini" ]; then
+    own=$(grep -v -x -F -f "$home/current/share/darwinop/robot.ini" "$home/robot.ini") || return 0
+  else
+    own=$(cat "$home/robot.ini")  # no defaults to compare with: an installation was interrupted
+  fi
   say "removing robot.ini. These lines $msg_differ; copy them if you need them again:"
   printf '%s\n' "$own" | sed 's/^/    /' >&2
 }

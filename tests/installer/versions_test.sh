@@ -194,6 +194,11 @@ scenario_uninstall_shows_what_was_written_into_robot_ini() {
   run_install --bundle "$v1"
   run_install --uninstall
   expect_not_said "$msg_differ"
+  run_install --bundle "$v1"
+  echo 'Head = 0.034' >>"$ROBOT/opt/darwinop/robot.ini"
+  rm "$ROBOT/opt/darwinop/current"
+  run_install --uninstall
+  expect_said '^    Head = 0\.034$'
 }
 
 # The line of a user in the robot's file, or nothing.
