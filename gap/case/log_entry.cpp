@@ -14,7 +14,7 @@ namespace {
 
 constexpr twin::NumberRule kRegister{"", 0, 16383};  // of the newest family; an MX-28 has 0 to 254
 constexpr twin::NumberRule kSession{"s", 0, 1e7};
-constexpr twin::NumberRule kClock{"s", -1e9, 1e9};
+constexpr twin::NumberRule kClock{"s", -1e11, 1e11};  // Unix time is 1.8e9
 constexpr twin::NumberRule kProfileSpeed{"rad/s", 0, 100};
 
 /// Files of a case stand in its folder, so that it can be moved as a whole.

@@ -37,6 +37,12 @@ void append(std::string& line, double value) {
   line.append(text, end.ptr);
 }
 
+/// With every digit: nine of a Unix time are steps of 10 s.
+void appendTime(std::string& line, double time_s) {
+  char text[40];
+  line.append(text, std::to_chars(text, text + sizeof text, time_s).ptr);
+}
+
 bool isKnown(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return !std::isnan(value); });
 }
@@ -157,7 +163,7 @@ std::string logAsCsv(const Trajectory& log) {
     if (isKnown(log.*column.values)) text.append(",").append(column.name);
   text += '\n';
   for (std::size_t i = 0; i < log.rows(); ++i) {
-    append(text, log.time_s[i]);
+    appendTime(text, log.time_s[i]);
     append(text += ',', log.goal_rad[i]);
     text += log.torque_on[i] != 0 ? ",1" : ",0";
     for (const CsvColumn& column : kColumns)

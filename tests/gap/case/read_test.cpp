@@ -53,6 +53,10 @@ TEST(CaseRead, ScoreIsReadAsHeldOut) {
   EXPECT_TRUE(CaseTexts{}.read().logs[1].held_out) << "the former word";
 }
 
+TEST(CaseRead, APartOfALogInUnixTime) {
+  EXPECT_EQ(CaseTexts{}.with("\"kp\": 32", "\"from_s\": -1768489200, \"to_s\": 1768489200, \"kp\": 32").error(), "");
+}
+
 TEST(CaseRead, RowsInSi) {
   const Case c = CaseTexts{}.read();
   ASSERT_EQ(c.logs.size(), 2u);

@@ -97,6 +97,12 @@ TEST(WriteCase, WhenEachRowWasWrittenAndRead) {
   expectRoundTrip(c);
 }
 
+TEST(WriteCase, UnixTime) {
+  Case c = CaseTexts{}.read();
+  for (double& time_s : c.logs[0].time_s) time_s += 1768489200.123;
+  expectRoundTrip(c);
+}
+
 TEST(WriteCase, ADataSheetAndTheSpeedLaw) {
   const CaseTexts sheet = CaseTexts{}.with(
       "\"logs\"", R"("servo_datasheet": {"kt_Nm_A": 1.7, "R_ohm": 8, "no_load_rpm": 55, "rel_sigma": 0.1}, "logs")");
