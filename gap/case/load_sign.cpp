@@ -25,10 +25,11 @@ void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c
   for (std::size_t row = 1; row < log.rows(); ++row) {
     if (log.torque_on[row] == 0 || !(std::abs(log.load[row]) > kPlain)) continue;
     // The goal that was in force at this row's read is that of the row before.
-    const double duty = servo.duty_per_kp_per_rad * log.p_register * (log.goal_rad[row - 1] - log.position_rad[row]);
+    const double asked = servo.duty_per_kp_per_rad * log.p_register * (log.goal_rad[row - 1] - log.position_rad[row]);
+    const double duty = std::clamp(asked, -servo.duty_max, servo.duty_max);
     if (!(std::abs(duty) >= kPlain)) continue;
     ++plain;
-    if (std::abs(log.load[row] + std::clamp(duty, -1.0, 1.0)) < kAlike * std::abs(duty)) ++mirrored;
+    if (std::abs(log.load[row] + duty) < kAlike * std::abs(duty)) ++mirrored;
   }
   if (plain < kFew || static_cast<double>(mirrored) < kNearlyAll * static_cast<double>(plain)) return;
   throw BadInput(file + ": load has the size that the position error requires" + messages::kLoadHasOppositeSign +

@@ -127,6 +127,21 @@ TEST(LogErrors, ColumnsAndTheirUnits) {
   EXPECT_THAT(named("volt_V", "pos_deg"), HasSubstr("both contain the pos"));
 }
 
+/// An arm that a servo of a high gain cannot lift, under full duty all the time.
+CaseTexts saturated(double load_pct) {
+  std::vector<CsvRow> rows = sineRows(0.05, 0.5);
+  for (CsvRow& row : rows) {
+    row.goal = row.t < 1.6 ? 0.5 : -0.5;
+    row.load = row.t <= 1.6 ? load_pct : -load_pct;
+  }
+  return CaseTexts{}.with(rows).with("\"kp\": 32", "\"kp\": 128");
+}
+
+TEST(LogErrors, ALoadWithTheOppositeSign) {
+  EXPECT_EQ(saturated(100).error(), "");
+  EXPECT_THAT(saturated(-100).error(), HasSubstr(messages::kLoadHasOppositeSign));
+}
+
 TEST(LogErrors, ASensorThatNeverMoves) {
   const auto stuck = [](double goals, double on) {
     std::vector<CsvRow> rows = sineRows(goals, 0.5);
