@@ -53,6 +53,7 @@ inline constexpr const char* kScheduleOrder =
     "written_s and read_s are seconds after t_s, first the one and then the other";
 inline constexpr const char* kJointNotGiven = "a recording has twenty joints; give the joint of the log";
 inline constexpr const char* kLoadIsZero = "load is 0 in every row";
+inline constexpr const char* kNotMeasured = ", and counts as not measured";
 inline constexpr const char* kLoadNotRecognized = " has a unit that was not recognized, and is left out";
 inline constexpr const char* kLoadHasOppositeSign = ", but the opposite sign, in ";
 inline constexpr const char* kManyMasked = " has no usable reading in ";

@@ -134,6 +134,7 @@ void checkLog(Trajectory& log, const std::string& file, Case& of) {
   maskBadRows(log, file, of);
   checkUnits(log, file, of);
   checkSensor(log, file, of);
+  dropMissingLoad(log, file, of);
   checkLoadSign(log, file, of);
 }
 

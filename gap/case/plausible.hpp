@@ -25,6 +25,9 @@ double periodOf(const Trajectory& log);
 double noLoadSpeed(const Case& c);
 double noLoadSpeed(const Case& c, const Trajectory& log);
 
+/// A load that is 0 in every row although the control law asks for torque was not measured: it is NaN then, with a
+/// warning.
+void dropMissingLoad(Trajectory& log, const std::string& file, Case& of);
 /// Throws BadInput for a load whose sign is the wrong way round.
 void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c);
 

@@ -142,6 +142,19 @@ TEST(LogErrors, ALoadWithTheOppositeSign) {
   EXPECT_THAT(saturated(-100).error(), HasSubstr(messages::kLoadHasOppositeSign));
 }
 
+TEST(LogErrors, ALoadOfZeroWhereTorqueIsAskedForIsNotMeasured) {
+  const auto zeroes = [](double late, double on) {
+    std::vector<CsvRow> rows = sineRows();
+    for (CsvRow& row : rows) row.pos *= late, row.on = on, row.load = 0;
+    return CaseTexts{}.with(rows).read();
+  };
+  const Case pushing = zeroes(0.8, 1);
+  EXPECT_TRUE(std::isnan(pushing.logs[0].load[100]));
+  EXPECT_THAT(pushing.warnings, testing::Contains(HasSubstr(messages::kLoadIsZero)));
+  EXPECT_EQ(zeroes(0.99, 1).logs[0].load[100], 0) << "within a dead band";
+  EXPECT_EQ(zeroes(0.8, 0).logs[0].load[100], 0) << "torque is off";
+}
+
 TEST(LogErrors, ASensorThatNeverMoves) {
   const auto stuck = [](double goals, double on) {
     std::vector<CsvRow> rows = sineRows(goals, 0.5);
