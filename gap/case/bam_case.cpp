@@ -32,21 +32,25 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model,
   c.goal_order = GoalOrder::kBeforeRead;
   c.priors = benchPriors();
   std::set<std::string> motors;
+  std::vector<BamLog> logs;
   const std::vector<fs::path> files = filesEndingWith(folder, ".json");
   if (files.empty()) throw BadInput(folder + ": " + messages::kNoBamLogs);
   for (const fs::path& path : files) {
     try {
       const std::optional<std::string> text = readTextFile(path.string(), kLongestBamLog);
-      BamLog log = parseBamLog(text.value_or(""), path.string(), path.stem().string());
-      motors.insert(log.motor);
-      out.notes.insert(out.notes.end(), log.notes.begin(), log.notes.end());
-      c.logs.push_back(std::move(log.log));
+      logs.push_back(parseBamLog(text.value_or(""), path.string(), path.stem().string()));
+      motors.insert(logs.back().motor);
     } catch (const std::runtime_error& error) {
       out.unusable.emplace_back(error.what());
     }
   }
-  if (c.logs.empty()) throw BadInput(out.unusable.front());
+  if (logs.empty()) throw BadInput(out.unusable.front());
   if (motors.size() > 1) throw BadInput(folder + ": " + messages::kSeveralMotors);
+  convertLoads(logs);
+  for (BamLog& log : logs) {
+    out.notes.insert(out.notes.end(), log.notes.begin(), log.notes.end());
+    c.logs.push_back(std::move(log.log));
+  }
   c.pendulum.length_m = *c.logs.front().length_m;
   c.pendulum.arm_mass_kg = *c.logs.front().arm_mass_kg;
   if (c.logs.front().supply_v) c.model.servo.supply_v = *c.logs.front().supply_v;

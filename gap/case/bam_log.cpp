@@ -28,42 +28,45 @@ struct LoadRule {
   double scale;
   const char* reason;
 };
-/// The first that fits the whole column.
+/// The first that fits the columns of all logs.
 constexpr LoadRule kLoadRules[] = {
     {[](double most, double, bool whole) { return whole && most > 32'767 && most <= 65'535; }, "load_int16", 0,
      "counts above 32767: 16 bits in two's complement, logged without sign"},
     {[](double most, double least, bool whole) { return whole && most >= 1'024 && most < 2'048 && least >= 0; },
      "load_bit10", 0, "counts up to 2047 and none below 0: bit 10 is the sign, 0.1 % a count"},
-    {[](double most, double least, bool) { return std::max(most, -least) <= 1.01; }, nullptr, 1,
-     "nothing beyond 1: a share of the greatest duty"},
+    {[](double most, double least, bool whole) { return !whole && std::max(most, -least) <= 1.01; }, nullptr, 1,
+     "fractions, nothing beyond 1: a share of the greatest duty"},
     {[](double most, double least, bool whole) { return !whole && std::max(most, -least) <= 101; }, nullptr, 0.01,
      "fractions, nothing beyond 100: percent"},
     {[](double most, double least, bool whole) { return whole && std::max(most, -least) <= 1'023; }, "load_int16", 0,
      "whole numbers with sign up to 1023: 0.1 % a count"},
 };
 
-/// Converts a column whose unit the file does not give.
-void takeLoad(std::vector<double> column, const char* key, BamLog& into) {
+/// Null: the unit of this column, which the files do not give, is not recognized.
+const LoadRule* ruleFor(const std::vector<BamLog>& logs, const std::vector<double> BamLog::*column) {
   double most = 0, least = 0;
   bool whole = true;
-  for (const double value : column) {
-    if (std::isnan(value)) continue;
-    most = std::max(most, value), least = std::min(least, value);
-    whole = whole && value == std::nearbyint(value);
-  }
-  for (const LoadRule& rule : kLoadRules) {
-    if (!rule.fits(most, least, whole)) continue;
-    // Duties of the X series are counts of 885, in two's complement.
-    const bool x_series = !into.motor.empty() && (into.motor.front() == 'x' || into.motor.front() == 'X');
-    const bool duty = rule.encoding != nullptr && std::string_view{rule.encoding} == "load_int16" && x_series;
-    const char* const name = duty ? "pwm_int16_885" : rule.encoding;
-    for (double& value : column) value = name == nullptr ? value * rule.scale : findEncoding(name)->decode(value);
-    into.log.load = std::move(column);
-    into.notes.push_back(into.log.file + ": " + key + " is read as load, " + rule.reason +
-                         (name == nullptr ? "" : ", encoding " + std::string{name}));
-    return;
-  }
-  into.notes.push_back(into.log.file + ": " + key + messages::kLoadNotRecognized);
+  for (const BamLog& one : logs)
+    for (const double value : one.*column) {
+      if (std::isnan(value)) continue;
+      most = std::max(most, value), least = std::min(least, value);
+      whole = whole && value == std::nearbyint(value);
+    }
+  const auto* const found =
+      std::ranges::find_if(kLoadRules, [&](const LoadRule& rule) { return rule.fits(most, least, whole); });
+  return found == std::end(kLoadRules) ? nullptr : found;
+}
+
+void takeLoad(const LoadRule& rule, const std::vector<double>& column, const char* key, BamLog& into) {
+  // Duties of the X series are counts of 885, in two's complement.
+  const bool x_series = !into.motor.empty() && (into.motor.front() == 'x' || into.motor.front() == 'X');
+  const bool duty = rule.encoding != nullptr && std::string_view{rule.encoding} == "load_int16" && x_series;
+  const char* const name = duty ? "pwm_int16_885" : rule.encoding;
+  std::ranges::transform(column, into.log.load.begin(), [&](double value) {
+    return name == nullptr ? value * rule.scale : findEncoding(name)->decode(value);
+  });
+  into.notes.push_back(into.log.file + ": " + key + " is read as load, " + rule.reason +
+                       (name == nullptr ? "" : ", encoding " + std::string{name}));
 }
 
 bool isAllZero(const std::vector<double>& column) {
@@ -72,7 +75,6 @@ bool isAllZero(const std::vector<double>& column) {
 
 void takeRows(const Json& entries, const std::string& file, BamLog& into) {
   Trajectory& log = into.log;
-  std::vector<double> load, torque;
   std::size_t dropped = 0, without_torque_enable = 0;
   for (const Json& entry : entries) {
     if (!entry.is_object()) throw BadInput(file + ": `entries` " + messages::kNotBamRow);
@@ -93,17 +95,10 @@ void takeRows(const Json& entries, const std::string& file, BamLog& into) {
     log.temp_c.push_back(valueOf(entry, "temp"));
     log.current_a.push_back(valueOf(entry, "current"));
     log.lines.push_back(static_cast<std::uint32_t>(log.time_s.size()));
-    load.push_back(valueOf(entry, "load"));
-    torque.push_back(valueOf(entry, "torque"));
+    into.load.push_back(valueOf(entry, "load"));
+    into.torque.push_back(valueOf(entry, "torque"));
   }
   log.load.assign(log.rows(), kNotThere);
-  const bool load_is_there = !std::ranges::all_of(load, [](double value) { return std::isnan(value); });
-  if (!isAllZero(load))
-    takeLoad(std::move(load), "load", into);
-  else if (!isAllZero(torque))
-    takeLoad(std::move(torque), "torque", into), into.notes.back() += "; " + std::string{messages::kLoadIsZero};
-  else if (load_is_there)
-    into.notes.push_back(log.file + ": " + messages::kLoadIsZero + ", and counts as not measured");
   if (without_torque_enable > 0)
     into.notes.push_back(log.file + ": " + std::to_string(without_torque_enable) + messages::kNoTorqueEnable);
   if (dropped > 0)
@@ -129,6 +124,27 @@ BamLog parseBamLog(std::string_view json, const std::string& file, const std::st
     head.fail("entries", std::string{messages::kMissing} + "the rows of the log");
   takeRows(*entries, file, out);
   return out;
+}
+
+void convertLoads(std::vector<BamLog>& logs) {
+  const bool of_load = !std::ranges::all_of(logs, isAllZero, &BamLog::load);
+  const auto column = of_load ? &BamLog::load : &BamLog::torque;
+  const char* const key = of_load ? "load" : "torque";
+  const LoadRule* const rule = ruleFor(logs, column);
+  for (BamLog& one : logs) {
+    const std::string file = one.log.file + ": ";
+    if (isAllZero(one.*column)) {
+      if (std::ranges::any_of(one.load, [](double value) { return !std::isnan(value); }))
+        one.notes.push_back(file + messages::kLoadIsZero + messages::kNotMeasured);
+      continue;
+    }
+    if (rule == nullptr) {
+      one.notes.push_back(file + key + messages::kLoadNotRecognized);
+      continue;
+    }
+    takeLoad(*rule, one.*column, key, one);
+    if (!of_load) one.notes.back() += "; " + std::string{messages::kLoadIsZero};
+  }
 }
 
 std::string asBamJson(const Case& c, const Trajectory& log, std::string_view motor) {

@@ -11,15 +11,20 @@
 namespace darwinop::gap {
 
 struct BamLog {
-  Trajectory log;
-  std::string motor;               // "mx106"
-  std::vector<std::string> notes;  // what was recognized in the file, and by what
+  Trajectory log;                    // its load: convertLoads()
+  std::string motor;                 // "mx106"
+  std::vector<std::string> notes;    // what was recognized in the file, and by what
+  std::vector<double> load, torque;  // as they are in the file, which does not give their unit
 };
 
 /// Keys of the head: mass, arm_mass, length, kp, vin, motor, trajectory, entries; of an entry: timestamp,
 /// goal_position, torque_enable, position, and where they are there speed, load or torque, input_volts, temp, current.
-/// The unit of the load follows from the whole column. `name` of the log: the file without its ending. Throws BadInput.
+/// `name` of the log: the file without its ending. Throws BadInput.
 BamLog parseBamLog(std::string_view json, const std::string& file, const std::string& name);
+
+/// Fills the loads of the logs of one servo. Their unit follows from the columns of all of them: a log of small loads
+/// does not show it. `torque` stands for a load that is 0 everywhere.
+void convertLoads(std::vector<BamLog>& logs);
 
 /// The same format; a value that is not known is left out.
 std::string asBamJson(const Case& c, const Trajectory& log, std::string_view motor);

@@ -24,8 +24,15 @@ void write(const std::string& path, const std::string& text) {
   std::ofstream{path} << text;
 }
 
+/// A folder of this log alone.
+BamLog parsed(const std::string& text) {
+  std::vector<BamLog> logs{parseBamLog(text, "a.json", "a")};
+  convertLoads(logs);
+  return logs.front();
+}
+
 TEST(BamLog, TheHeadIsTheBenchOfTheLog) {
-  const Trajectory log = parseBamLog(bamText(zero, zero), "a.json", "a").log;
+  const Trajectory log = parsed(bamText(zero, zero)).log;
   EXPECT_EQ(log.file, "a.csv");
   EXPECT_EQ(log.kind, "sine");
   EXPECT_EQ(log.p_register, 32);
@@ -39,7 +46,7 @@ TEST(BamLog, TheHeadIsTheBenchOfTheLog) {
 }
 
 TEST(BamLog, TorqueStandsForALoadOfZero) {
-  const BamLog read = parseBamLog(bamText(zero, [](int i) { return std::to_string(i < 100 ? 250 : 1'274); }), "a", "a");
+  const BamLog read = parsed(bamText(zero, [](int i) { return std::to_string(i < 100 ? 250 : 1'274); }));
   EXPECT_NEAR(read.log.load[0], 0.25, 1e-12);
   EXPECT_NEAR(read.log.load[150], -0.25, 1e-12);
   ASSERT_EQ(read.notes.size(), 1u);
@@ -49,7 +56,7 @@ TEST(BamLog, TorqueStandsForALoadOfZero) {
 TEST(BamLog, TheUnitOfALoadFollowsFromTheWholeColumn) {
   const auto load = [](const char* one, const char* other,
                        const std::string& head = "\"kp\": 32, \"motor\": \"mx106\"") {
-    return parseBamLog(bamText([&](int i) { return i < 100 ? one : other; }, zero, head), "a", "a").log.load[150];
+    return parsed(bamText([&](int i) { return i < 100 ? one : other; }, zero, head)).log.load[150];
   };
   EXPECT_NEAR(load("0.2", "-0.25"), -0.25, 1e-12);
   EXPECT_NEAR(load("20.5", "-25"), -0.25, 1e-12);
@@ -59,9 +66,25 @@ TEST(BamLog, TheUnitOfALoadFollowsFromTheWholeColumn) {
   EXPECT_TRUE(std::isnan(load("200", "99999999")));
 }
 
+TEST(BamLog, TheUnitOfALoadIsThatOfTheWholeFolder) {
+  const auto loads = [](const std::vector<std::string>& plus) {
+    std::vector<BamLog> logs;
+    for (const std::string& one : plus)
+      logs.push_back(parseBamLog(bamText([&](int i) { return (i < 100 ? "" : "-") + one; }, zero), "a.json", "a"));
+    convertLoads(logs);
+    std::vector<double> found;
+    for (const BamLog& one : logs) found.push_back(one.log.load[0]);
+    return found;
+  };
+  EXPECT_THAT(loads({"1", "250"}), ElementsAre(testing::DoubleNear(0.001, 1e-12), testing::DoubleNear(0.25, 1e-12)));
+  EXPECT_THAT(loads({"1"}), ElementsAre(testing::DoubleNear(0.001, 1e-12))) << "a share is a fraction somewhere";
+  EXPECT_THAT(loads({"1", "0.25"}), ElementsAre(1, 0.25));
+  EXPECT_THAT(loads({"0.25", "250"}), ElementsAre(testing::IsNan(), testing::IsNan())) << "two units";
+}
+
 TEST(BamLog, OnlyTwosComplementIsTheDutyOfAnXSeries) {
   const auto load = [](int i) { return std::to_string(i < 100 ? 250 : 1'274); };
-  const BamLog read = parseBamLog(bamText(load, zero, "\"kp\": 400, \"motor\": \"xl330\""), "a", "a");
+  const BamLog read = parsed(bamText(load, zero, "\"kp\": 400, \"motor\": \"xl330\""));
   EXPECT_NEAR(read.log.load[150], -0.25, 1e-12);
 }
 
@@ -69,13 +92,13 @@ TEST(BamLog, WhatIsAssumedIsNoted) {
   const auto notes = [](std::string text, const std::string& what, const std::string& by) {
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what))
       text.replace(at, what.size(), by);
-    return parseBamLog(text, "a.json", "a").notes;
+    return parsed(text).notes;
   };
   const std::string text = bamText(zero, zero);
-  EXPECT_THAT(parseBamLog(text, "a.json", "a").notes, ElementsAre(HasSubstr(messages::kLoadIsZero)));
+  EXPECT_THAT(parsed(text).notes, ElementsAre(HasSubstr(messages::kLoadIsZero)));
   EXPECT_THAT(notes(text, "\"load\": 0, \"torque\": 0, ", ""), ElementsAre());
   EXPECT_THAT(notes(text, "\"torque_enable\": true, ", ""),
-              ElementsAre(HasSubstr(messages::kLoadIsZero), HasSubstr("200" + std::string{messages::kNoTorqueEnable})));
+              ElementsAre(HasSubstr("200" + std::string{messages::kNoTorqueEnable}), HasSubstr(messages::kLoadIsZero)));
 }
 
 TEST(BamLog, IsRefusedWithoutRowsOrCommands) {
@@ -109,7 +132,9 @@ TEST(BamLog, WhatIsWrittenIsReadBack) {
   Case c = CaseTexts{}.read();
   c.goal_order = GoalOrder::kBeforeRead;
   const Trajectory& log = c.logs[0];
-  const Trajectory back = parseBamLog(asBamJson(c, log, "mx28"), "a.json", "fit_1").log;
+  std::vector<BamLog> logs{parseBamLog(asBamJson(c, log, "mx28"), "a.json", "fit_1")};
+  convertLoads(logs);
+  const Trajectory& back = logs.front().log;
   EXPECT_EQ(back.file, log.file);
   EXPECT_EQ(back.p_register, log.p_register);
   EXPECT_EQ(back.length_m, armOf(c, log).length_m);
