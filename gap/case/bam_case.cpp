@@ -55,7 +55,6 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model,
   c.pendulum.arm_mass_kg = *c.logs.front().arm_mass_kg;
   if (c.logs.front().supply_v) c.model.servo.supply_v = *c.logs.front().supply_v;
   holdOut(held_out, out);
-  out.notes.push_back("goals count as written before the read of their row, as BAM's recorder does");
   out.motor = *motors.begin();
   return out;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "experiments/logs/header.hpp"
+#include "gap/case/declared_case.hpp"
 #include "gap/case/folder_files.hpp"
 #include "gap/case/joint_columns.hpp"
 #include "gap/case/messages.hpp"
@@ -42,8 +43,6 @@ Json entryOf(const logs::Log& log, const std::string& file, const Declarations& 
     else
       missing += Declarations::missing(key.key, std::string{key.meaning} + "; or a column of that name in " + file);
   }
-  for (const char* const key : {"from_s", "to_s", "hangs_at_rad"})
-    if (const auto value = declared.number(key)) entry[key] = *value;
   return entry;
 }
 
@@ -94,17 +93,8 @@ FolderCase readCsvFolder(const RawFolder& request, const Declarations& declared,
   Json whole = parseJson(caseAsJson(head, !fitsBaseline(head)), "declared");
   for (std::size_t i = 0; i < logs.size(); ++i) logs[i]["role"] = head.logs[i].held_out ? "held_out" : "fit";
   whole["logs"] = logs;
-  const std::optional<std::string> order = declared.text("goal_order");
-  if (order) whole["goal_order"] = *order;
-  if (const auto axis = declared.text("axis")) whole["axis"] = *axis;
-  for (const auto& [column, encoding] : declared.encodings()) whole["encodings"][column] = encoding;
-  for (const auto& [number, sigma] : declared.sigmas()) whole["prior_rel_sigma"][number] = sigma;
-  const std::string name = (fs::path{request.folder} / "declared").string();
-  out.given = parseCase(whole.dump(), name,
-                        {.log = files.log,
-                         .model = [&](const std::string&) { return model; },
-                         .leave_out = [&](const BadInput& reason) { out.unusable.emplace_back(reason.what()); }});
-  if (!order)
+  readDeclared(whole.dump(), declared, files, out);
+  if (!declared.text("goal_order"))
     out.notes.emplace_back(
         "a goal counts as written right after the read of its row; else --declare goal_order=before_read");
   return out;

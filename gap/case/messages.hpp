@@ -43,6 +43,7 @@ inline constexpr const char* kSeveralMotors = "logs of several motors; put each 
 inline constexpr const char* kNotDeclared = ": the logs do not contain all that is needed; declare";
 inline constexpr const char* kNotDeclarable = "cannot be declared; there are ";
 inline constexpr const char* kNoGoalOfJoint = "there is no goal of joint ";
+inline constexpr const char* kOfCsv = "is for CSVs: BAM's logs contain their own; correct those";
 inline constexpr const char* kNotKeyValue = "is not KEY=VALUE, as in --declare kp=32";
 inline constexpr const char* kSeveralValues = "has several values; cut the log where it changes";
 inline constexpr const char* kUnitLeftOut = "has a unit that is not known, and is left out";

@@ -101,7 +101,8 @@ std::optional<BadInput> fill(LogEntry& entry, Fields& top, const Encodings& raw,
     into.warnings.insert(into.warnings.end(), log.warnings.begin(), log.warnings.end());
     fillTrajectory(log, raw, entry, into.warnings);
     takeOrder(top, log.recording || entry.head.isReadAfterWrite(), into);
-    checkLog(entry.head, log.file, into);
+    Trajectory copy = entry.head;
+    checkLog(files.leave_out ? copy : entry.head, log.file, into);
     return std::nullopt;
   } catch (const BadInput& reason) {
     return reason;

@@ -15,7 +15,7 @@ struct CaseFiles {
   std::function<logs::Log(const std::string& name)> log;
   std::function<twin::Model(const std::string& name)> model;
   /// Takes what is wrong with a log that is left out of the case; of a case without repeats. Empty: parseCase throws
-  /// it.
+  /// it. Of raw logs, which are written and read again: false readings are masked then, and stay for now.
   std::function<void(const BadInput& reason)> leave_out = {};
 };
 

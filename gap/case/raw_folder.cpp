@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/bad_rows.hpp"
 #include "gap/case/bam_log.hpp"
+#include "gap/case/declared_case.hpp"
 #include "gap/case/folder_files.hpp"
 #include "gap/case/messages.hpp"
-#include "gap/case/plausible.hpp"
+#include "gap/case/write_case.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -19,19 +21,40 @@ constexpr double kMostUnusable = kMostMasked;  // of the files, as of the rows o
 
 constexpr const char* kOwnServo = "darwin-op";  // model whose servo is the MX-28
 
+/// Reads the logs with what is declared of them.
+void takeDeclared(const Declarations& declared, FolderCase& in) {
+  const Case logs = in.given;
+  std::vector<std::string> warnings = in.given.warnings;
+  const auto log = [&](const std::string& name) {
+    return logs::parseLog(logAsCsv(*std::ranges::find(logs.logs, name, &Trajectory::file)),
+                          (fs::path{logs.folder} / name).string());
+  };
+  readDeclared(caseAsJson(logs, !fitsBaseline(logs)), declared, {.log = log, .model = {}}, in);
+  in.given.warnings.insert(in.given.warnings.begin(), warnings.begin(), warnings.end());
+}
+
 FolderCase fromBam(const RawFolder& request, const Declarations& declared) {
-  FolderCase out = readBamFolder(request.folder, request.model.empty() ? kOwnServo : request.model, request.held_out);
+  for (const char* const key : {"kp", "payload_kg", "length_m", "arm_mass_kg", "joint", "torque_on"})
+    if (declared.text(key)) throw BadInput("--declare " + std::string{key} + " " + messages::kOfCsv);
+  if (!declared.encodings().empty())
+    throw BadInput("--declare " + declared.encodings().begin()->first + " " + messages::kOfCsv);
+  const std::string model = request.model.empty() ? kOwnServo : request.model;
+  FolderCase out = readBamFolder(request.folder, model, request.held_out);
+  const bool is_known = !request.model.empty() || out.motor.starts_with("mx28");
+  const std::string missing = declared.missingOfServo();
+  if (!is_known && !missing.empty())
+    throw BadInput(request.folder + messages::kNotDeclared + missing + "\n  or --model FILE, a model of motor \"" +
+                   out.motor + "\"");
   if (declared.describeServo()) {
     out.given.model.servo = declared.servoFrom(out.given.model.servo, out.given.warnings);
     out.given.model.effects.clear();  // friction of another servo
-    out.notes.push_back("motor \"" + out.motor + "\" has the declared numbers");
-    return out;
+    out.notes.push_back("motor \"" + out.motor + "\" has the declared numbers, and the others of model " + model);
+  } else {
+    out.notes.push_back("motor \"" + out.motor + "\" has the numbers of model " + model + "; correct them in the case");
   }
-  if (request.model.empty() && !out.motor.starts_with("mx28"))
-    throw BadInput(request.folder + messages::kNotDeclared + declared.missingOfServo() +
-                   "\n  or --model FILE, a model of motor \"" + out.motor + "\"");
-  out.notes.push_back("motor \"" + out.motor + "\" has the numbers of model " +
-                      (request.model.empty() ? kOwnServo : request.model) + "; correct them in the case");
+  if (!declared.text("goal_order"))
+    out.notes.emplace_back("goals count as written before the read of their row, as BAM's recorder does");
+  takeDeclared(declared, out);
   return out;
 }
 
@@ -52,19 +75,6 @@ FolderCase fromCsv(const RawFolder& request, const Declarations& declared) {
   FolderCase out = readCsvFolder(request, declared, model);
   out.given.warnings.insert(out.given.warnings.end(), warnings.begin(), warnings.end());
   return out;
-}
-
-/// BAM's logs are not checked by reading them.
-void leaveOutUnusable(FolderCase& in) {
-  std::erase_if(in.given.logs, [&](Trajectory log) {  // a copy: what is masked is masked when the case is read
-    try {
-      checkLog(log, (fs::path{in.given.folder} / log.file).string(), in.given);
-      return false;
-    } catch (const BadInput& reason) {
-      in.unusable.emplace_back(reason.what());
-      return true;
-    }
-  });
 }
 
 /// Throws BadInput if more than a few of the files cannot be used; else notes each.
@@ -104,7 +114,6 @@ FolderCase readRawFolder(const RawFolder& request) {
   const Declarations declared{request.declared};
   const bool is_bam = !filesEndingWith(request.folder, ".json").empty();
   FolderCase out = is_bam ? fromBam(request, declared) : fromCsv(request, declared);
-  if (is_bam) leaveOutUnusable(out);
   noteUnusable(out);
   if (!request.all_logs) chooseLogs(out);
   return out;

@@ -116,6 +116,67 @@ TEST_F(RawFolderTest, AVerticalAxisIsDeclared) {
   EXPECT_EQ(usable.given.pendulum.length_m, 0.17);
 }
 
+TEST_F(RawFolderTest, WhatIsDeclaredOfBamLogsCounts) {
+  addLog("a", 8, "0.5");
+  const auto declaring = [&](std::vector<std::string> words) {
+    return readRawFolder({.folder = folder / "", .model = "", .declared = std::move(words), .held_out = {}}).given;
+  };
+  const Case plain = declaring({});
+  const Case read = declaring({"kt_Nm_A_rel_sigma=0.02", "arm_mass_kg_rel_sigma=0.3", "hangs_at_rad=0.05",
+                               "goal_order=after_read", "axis=vertical", "from_s=0.1", "to_s=2.2"});
+  const auto sigmaOf = [&](std::string_view number) {
+    const auto found = std::ranges::find(read.priors, number, &Prior::number);
+    return found == read.priors.end() ? 0 : found->relative_sigma;
+  };
+  EXPECT_EQ(sigmaOf("kt"), 0.02);
+  EXPECT_EQ(sigmaOf("resistance"), 0.15) << "of every bench";
+  EXPECT_EQ(sigmaOf("arm_mass"), 0.3);
+  EXPECT_EQ(plain.goal_order, GoalOrder::kBeforeRead);
+  EXPECT_EQ(read.goal_order, GoalOrder::kAfterRead);
+  EXPECT_EQ(read.pendulum.gravity_m_s2, 0);
+  EXPECT_EQ(read.logs[0].time_s.front(), 0.1);
+  EXPECT_EQ(read.logs[0].time_s.back(), 2.2);
+  EXPECT_NEAR(read.logs[0].position_rad[0], plain.logs[0].position_rad[8] - 0.05, 1e-9);
+  EXPECT_NEAR(read.logs[0].goal_rad[0], plain.logs[0].goal_rad[8] - 0.05, 1e-9);
+  for (const char* const key : {"kp=32", "payload_kg=1", "joint=Elbow", "torque_on=1", "load_raw=load_bit10"}) try {
+      (void)declaring({key});
+      ADD_FAILURE() << key;
+    } catch (const BadInput& refused) {
+      EXPECT_THAT(refused.what(), HasSubstr(messages::kOfCsv));
+    }
+}
+
+TEST_F(RawFolderTest, AnotherMotorIsDeclaredInFull) {
+  write(folder / "a.json", bamText(zero, zero));  // an MX-106
+  const auto declaring = [&](const std::vector<std::string>& words) -> std::string {
+    try {
+      (void)readRawFolder({.folder = folder / "", .model = "", .declared = words, .held_out = {}});
+    } catch (const BadInput& refused) {
+      return refused.what();
+    }
+    return "";
+  };
+  const std::string sheet = "stall_Nm_at_12V=8.4", current = "stall_A_at_12V=5.2", gain = "duty_per_kp_per_rad=0.158";
+  EXPECT_EQ(declaring({sheet, current, gain}), "");
+  EXPECT_THAT(declaring({"armature_kgm2=0.03"}),
+              testing::AllOf(HasSubstr(messages::kNotDeclared), HasSubstr("stall_Nm"), HasSubstr("duty_per_kp")));
+  EXPECT_THAT(declaring({sheet, gain}), HasSubstr("stall_A"));
+}
+
+TEST_F(RawFolderTest, FalseReadingsStayUntilTheWrittenCaseIsRead) {
+  std::vector<CsvRow> rows = sineRows();
+  rows[100].pos += 1;
+  write(folder / "a.csv", csvOf(rows));
+  const FolderCase raw = readRawFolder({.folder = folder / "",
+                                        .model = out / "model.ini",
+                                        .declared = {"kp=32", "payload_kg=0.3", "length_m=0.17", "supply_V=12"},
+                                        .held_out = {}});
+  writeCase(raw.given, out / "case");
+  const Trajectory back = readCase(out / "case").logs.at(0);
+  ASSERT_EQ(back.masked.size(), 1u);
+  EXPECT_EQ(back.masked[0].why, messages::kMaskedJump);
+}
+
 TEST_F(RawFolderTest, IsRefusedIfMoreThanATenthCannotBeUsed) {
   for (int i = 0; i < 8; ++i) addLog("a" + std::to_string(100 + i), 8, "0.5");
   write(folder / "broken.json", "{");
