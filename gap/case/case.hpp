@@ -42,6 +42,7 @@ struct Trajectory {
   double payload_kg = 0;
   std::optional<double> arm_mass_kg, length_m, supply_v;  // of this log's bench; none: those of the case
   double session_start_s = 0;                             // of the first row within the session
+  bool is_session_known = true;                           // false: that start is not known, and counts as 0
   double speed_limit_rad_s = 0;                           // of the servo's own profile, register 32; 0: none
 
   std::vector<double> time_s;  // rises

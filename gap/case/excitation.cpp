@@ -119,8 +119,10 @@ Excitation excitationOf(const Trajectory& log, const twin::ServoParameters& serv
   out.duration_s = log.duration_s();
   out.reversals = motion.count();
   out.load_reversals = push.count();
-  out.session_s.add(log.session_start_s);
-  out.session_s.add(log.session_start_s + log.duration_s());
+  if (log.is_session_known) {
+    out.session_s.add(log.session_start_s);
+    out.session_s.add(log.session_start_s + log.duration_s());
+  }
   out.payloads_kg.insert(log.payload_kg);
   out.p_registers.insert(log.p_register);
   return out;

@@ -108,10 +108,10 @@ Json entryOf(const Case& c, const Trajectory& log, const char* role) {
                 {"trajectory", log.kind},
                 {"kp", log.p_register},
                 {"payload_kg", log.payload_kg},
-                {"t0_session_s", log.session_start_s},
                 {"repeat_of", log.repeat_of ? Json(c.logs[*log.repeat_of].file) : Json(nullptr)}};
   for (const ArmKey& key : armKeys())
     if (key.of_log != nullptr && log.*key.of_log) entry[std::string{key.json}] = *(log.*key.of_log);
+  if (log.is_session_known) entry["t0_session_s"] = log.session_start_s;
   if (log.supply_v) entry["supply_V"] = *log.supply_v;
   if (log.isReadAfterWrite() && log.is_phase_known) entry["firmware_in_step"] = true;
   if (log.speed_limit_rad_s > 0) entry["speed_limit_rad_s"] = log.speed_limit_rad_s;

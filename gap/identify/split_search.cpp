@@ -142,6 +142,9 @@ std::optional<Identification> foundIn(const Study& study, const Logs& logs, cons
 
 std::optional<Identification> searchInHalves(const Study& study, const IdentifyOptions& options) {
   const Logs all = inSessionOrder(study);
+  // Without the session's clock the order of the logs is that of their names.
+  if (!std::ranges::all_of(all, [&](std::size_t i) { return study.data.logs[i].is_session_known; }))
+    return std::nullopt;
   const auto half = static_cast<std::ptrdiff_t>(all.size() / 2);
   if (half < 3) return std::nullopt;
   for (const Logs& logs : {Logs(all.begin(), all.begin() + half), Logs(all.end() - half, all.end())})

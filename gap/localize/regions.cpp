@@ -84,7 +84,8 @@ double betweenGroups(const std::vector<double>& y, const std::vector<int>& group
   return std::max(0.0, (between - (groups - 1) * within) / total);
 }
 
-/// State: position and speed. Clock: a third of the session, within one cell of the state. Masked rows have no cell.
+/// State: position and speed. Clock: a third of the session, within one cell of the state; none where a log has no
+/// session time. Masked rows have no cell.
 void stateOrClock(const std::vector<StateSample>& samples, Dependence& out) {
   const auto is_masked = [](const StateSample& sample) { return std::isnan(sample.state[kPositionState]); };
   std::vector<double> position, speed, session;
@@ -94,6 +95,8 @@ void stateOrClock(const std::vector<StateSample>& samples, Dependence& out) {
     speed.push_back(sample.state[kSpeedState]);
     session.push_back(sample.state[kSessionState]);
   }
+  out.is_clock_known = std::ranges::none_of(session, [](double time_s) { return std::isnan(time_s); });
+  if (!out.is_clock_known) std::ranges::fill(session, 0);
   const auto q = binsOf(position, 6), w = binsOf(speed, 3), t = binsOf(session, 3);
   std::vector<double> y[2];  // signed, and how large
   std::vector<int> cell, both;
@@ -102,7 +105,7 @@ void stateOrClock(const std::vector<StateSample>& samples, Dependence& out) {
     const std::size_t direction = sample.state[2] > 0 ? 2 : sample.state[2] < 0 ? 1 : 0;
     cell.push_back(static_cast<int>(
         (binOf(q, sample.state[kPositionState]) * 3 + binOf(w, sample.state[kSpeedState])) * 3 + direction));
-    both.push_back(cell.back() * 3 + static_cast<int>(binOf(t, sample.state[kSessionState])));
+    both.push_back(cell.back() * 3 + static_cast<int>(binOf(t, session[both.size()])));
     y[0].push_back(std::asinh(sample.z));
     y[1].push_back(std::log1p(sample.z * sample.z));
   }

@@ -27,6 +27,7 @@ struct Dependence {
   std::string of;               // "position" or a block: whose residuals were analysed
   std::vector<Region> regions;  // greatest information first
   Depends on = Depends::kNothing;
+  bool is_clock_known = true;         // of the session, in every log
   double by_state = 0, by_clock = 0;  // shares of the variance: by the state; by the session time at the same state
 };
 

@@ -28,10 +28,11 @@ std::string whereText(const Localization& where) {
 std::string stateText(const Localization& where) {
   const Dependence& on = where.dependence;
   std::string text;
-  const auto clock = [](Depends depends) {
+  const auto clock = [&](Depends depends) {
     if (depends == Depends::kClock) return " It follows the session's clock, not the state: wear, heat or a jolt.";
     if (depends == Depends::kBoth) return " It follows both the state and the session's clock.";
-    if (depends == Depends::kState) return " It is the same at any time of the session: a law, not wear.";
+    if (depends == Depends::kState && where.dependence.is_clock_known)
+      return " It is the same at any time of the session: a law, not wear.";
     return "";
   };
   if (on.regions.empty() || on.regions.front().information < thresholds::kInformativeBits)

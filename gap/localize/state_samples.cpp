@@ -21,7 +21,9 @@ const std::vector<StateVariable>& stateVariables() {
       {"load", "", [](const auto& log, auto row, double, double) { return log.load[row]; }},
       {"temperature", "degC", [](const auto& log, auto row, double, double) { return log.temp_c[row]; }},
       {kSessionTime, "s",
-       [](const auto& log, auto row, double, double) { return log.session_start_s + log.time_s[row] - log.time_s[0]; }},
+       [](const auto& log, auto row, double, double) {
+         return log.is_session_known ? log.session_start_s + log.time_s[row] - log.time_s[0] : std::nan("");
+       }},
       {"time since reversal", "s", [](const auto&, auto, double, double since) { return since; }},
       {"payload", "kg", [](const auto& log, auto, double, double) { return log.payload_kg; }},
       {"P register", "", [](const auto& log, auto, double, double) { return log.p_register; }},

@@ -125,6 +125,10 @@ TEST(DataCheck, WarmthTimeAndSides) {
   c.logs[0].temp_c.back() = 35;
   EXPECT_TRUE(reveals(c, "temperature"));
   EXPECT_FALSE(reveals(c, "session"));
+  c.logs[0].time_s.back() += 30;
+  EXPECT_TRUE(reveals(c, "session"));
+  c.logs[0].is_session_known = false;
+  EXPECT_FALSE(reveals(c, "session"));
   EXPECT_TRUE(reveals(c, "both_sides"));
   for (double& position : c.logs[0].position_rad) position = std::abs(position);
   EXPECT_FALSE(reveals(c, "both_sides"));

@@ -33,6 +33,7 @@ void expectSame(const Trajectory& a, const Trajectory& b) {
   EXPECT_EQ(a.p_register, b.p_register);
   EXPECT_EQ(a.payload_kg, b.payload_kg);
   EXPECT_EQ(a.session_start_s, b.session_start_s);
+  EXPECT_EQ(a.is_session_known, b.is_session_known);
   EXPECT_EQ(a.speed_limit_rad_s, b.speed_limit_rad_s);
   EXPECT_EQ(a.torque_on, b.torque_on);
   expectSame(a.time_s, b.time_s);
@@ -94,6 +95,14 @@ TEST(WriteCase, WhenEachRowWasWrittenAndRead) {
     c.logs[i].read_s.assign(c.logs[i].rows(), 0.00174);
     c.logs[i].is_phase_known = i == 0;
   }
+  expectRoundTrip(c);
+}
+
+TEST(WriteCase, ASessionWithoutClockStaysSo) {
+  const CaseTexts clockless = CaseTexts{}.with(", \"t0_session_s\": 1.5", "").with(", \"t0_session_s\": 9", "");
+  const Case c = clockless.read();
+  EXPECT_FALSE(c.logs[0].is_session_known);
+  EXPECT_TRUE(CaseTexts{}.read().logs[0].is_session_known);
   expectRoundTrip(c);
 }
 
