@@ -10,6 +10,7 @@ inline constexpr const char* kEndBeforeStart = "is not after `from_s`";
 inline constexpr const char* kGivenTwice = "is there twice";
 inline constexpr const char* kInvalidName = "is not a valid name";
 inline constexpr const char* kMissing = "is missing; give ";
+inline constexpr const char* kNeverMoved = "is of a number that counts as exact";
 inline constexpr const char* kNoFitLog = "has no log with \"role\": \"fit\"";
 inline constexpr const char* kNoPRegister = "the case does not have its P register";
 inline constexpr const char* kNotJson = "this is not JSON";

@@ -1,5 +1,6 @@
 // The baseline model: its numbers, their priors, and the data sheet.
 #include <algorithm>
+#include <array>
 
 #include "core/text/nearest.hpp"
 #include "gap/case/baseline_keys.hpp"
@@ -13,6 +14,9 @@ namespace {
 
 // The servo family whose firmware acts every 0.1 ms has an encoder finer than the resolution of its registers.
 constexpr double kFineFirmware = 2e-4;  // s
+/// Numbers of the servo that no search moves.
+constexpr std::array<std::string_view, 5> kNeverMoved{"duty_max", "speed_max", "torque_max", "firmware_period",
+                                                      "ticks_per_rev"};
 const std::vector<std::string_view> kLawNames{"voltage_p", "speed_p"};
 
 void addFriction(const FrictionKey& key, double value, twin::Model& model) {
@@ -89,15 +93,17 @@ void readPriors(Fields priors, const std::vector<std::string_view>& given, Case&
   const auto take = [&](std::string_view key, std::string_view name, bool is_there) {
     const bool known_already = std::ranges::find(into.priors, name, &Prior::number) != into.priors.end();
     if (!priors.has(key)) return;
+    if (std::ranges::find(kNeverMoved, name) != kNeverMoved.end())
+      priors.fail(key, std::string{messages::kNeverMoved} + "; take it away");
     if (known_already) priors.fail(key, std::string{messages::kSecondSigma} + "; keep one of the two");
     const double sigma = priors.number(key, kRelativeSigma);
     if (is_there) into.priors.push_back({std::string{name}, sigma});  // else: of what the baseline does not have
   };
-  for (const ServoKey& key : servoKeys())
-    for (const std::string_view name : {key.json, key.key}) {
-      if (name == key.key && key.json == key.key) continue;  // ticks_per_rev
-      take(name, key.key, std::ranges::find(given, key.key) != given.end());
-    }
+  for (const ServoKey& key : servoKeys()) {
+    const bool is_there = std::ranges::find(given, key.key) != given.end();
+    take(key.json, key.key, is_there);
+    if (key.json != key.key) take(key.key, key.key, is_there);
+  }
   take("back_emf", "back_emf", true);
   for (const ArmKey& key : armKeys())
     for (const std::string_view name : {key.json, key.prior})

@@ -23,8 +23,10 @@ void move(Hypothesis& hypothesis, const Unknown& unknown, double value) {
   std::visit(Cases{[&](LoadFactor factor) {
                      if (factor == LoadFactor::kPayload)
                        hypothesis.payload_scale *= value;
-                     else
+                     else if (factor == LoadFactor::kLength)
                        hypothesis.pendulum.length_m *= value;
+                     else
+                       hypothesis.pendulum.arm_mass_kg *= value;
                    },
                    [&](ServoFactor number) {
                      hypothesis.servo.*number *= value;
@@ -46,7 +48,7 @@ Unknown factor(const BaselineNumber& known, double sigma) {
 }
 
 bool isOfTheMotor(std::string_view name) {
-  return name == "kt" || name == "resistance" || name == "supply" || name == "duty_per_kp";
+  return name == "kt" || name == "back_emf" || name == "resistance" || name == "supply" || name == "duty_per_kp";
 }
 
 }  // namespace

@@ -61,8 +61,9 @@ double numberIn(const Hypothesis& hypothesis, std::string_view name) {
   const auto found = std::ranges::find(kBaselineNumbers, name, &BaselineNumber::name);
   if (found == kBaselineNumbers.end()) return std::numeric_limits<double>::quiet_NaN();
   if (const auto* const servo = std::get_if<ServoFactor>(&found->what)) return hypothesis.servo.**servo;
-  const bool payload = std::get<LoadFactor>(found->what) == LoadFactor::kPayload;
-  return payload ? hypothesis.payload_scale : hypothesis.pendulum.length_m;
+  const auto load = std::get<LoadFactor>(found->what);
+  if (load == LoadFactor::kPayload) return hypothesis.payload_scale;
+  return load == LoadFactor::kLength ? hypothesis.pendulum.length_m : hypothesis.pendulum.arm_mass_kg;
 }
 
 }  // namespace darwinop::gap

@@ -9,8 +9,8 @@
 
 namespace darwinop::gap {
 
-/// Payload or length of the pendulum, as a factor of what was weighed or measured.
-enum class LoadFactor { kPayload, kLength };
+/// Payload, length or mass of the arm, as a factor of what was weighed or measured.
+enum class LoadFactor { kPayload, kLength, kArmMass };
 /// A number of the servo, as a factor.
 using ServoFactor = double twin::ServoParameters::*;
 
@@ -24,9 +24,11 @@ inline const std::array kBaselineNumbers{
     BaselineNumber{"armature", &twin::ServoParameters::armature_kgm2},
     BaselineNumber{"supply", &twin::ServoParameters::supply_v},
     BaselineNumber{"duty_per_kp", &twin::ServoParameters::duty_per_kp_per_rad},
-    BaselineNumber{"speed_gain", &twin::ServoParameters::speed_gain_per_kp_1_s},
+    BaselineNumber{"speed_gain_per_kp", &twin::ServoParameters::speed_gain_per_kp_1_s},
     BaselineNumber{"payload", LoadFactor::kPayload},
     BaselineNumber{"length", LoadFactor::kLength},
+    BaselineNumber{"arm_mass", LoadFactor::kArmMass},
+    BaselineNumber{"back_emf", &twin::ServoParameters::back_emf_vs_rad},
 };
 
 /// Present value: in SI units, of the payload its factor. NaN for an unknown name.

@@ -17,6 +17,11 @@ auto placeInCatalogue(const twin::EffectInfo* info) {
   return std::find(all.begin(), all.end(), info) - all.begin();
 }
 
+/// An arm without mass has no scale.
+double armMassScale(const Case& given, const Hypothesis& hypothesis) {
+  return given.pendulum.arm_mass_kg > 0 ? hypothesis.pendulum.arm_mass_kg / given.pendulum.arm_mass_kg : 1;
+}
+
 }  // namespace
 
 const twin::EffectSetting* Hypothesis::find(std::string_view id, const Place& place) const {
@@ -77,7 +82,7 @@ twin::Pendulum armOf(const Case& given, const Trajectory& log, const Hypothesis&
   twin::Pendulum arm = hypothesis.pendulum;
   arm.payload_kg = log.payload_kg * hypothesis.payload_scale;
   if (log.length_m) arm.length_m *= *log.length_m / given.pendulum.length_m;
-  if (log.arm_mass_kg) arm.arm_mass_kg = *log.arm_mass_kg;
+  if (log.arm_mass_kg) arm.arm_mass_kg = *log.arm_mass_kg * armMassScale(given, hypothesis);
   return arm;
 }
 
@@ -88,6 +93,7 @@ double supplyOf(const Case& given, const Trajectory& log, const Hypothesis& hypo
 
 Case withModel(Case given, const Hypothesis& model) {
   for (Trajectory& log : given.logs) {
+    if (log.arm_mass_kg) *log.arm_mass_kg *= armMassScale(given, model);
     if (log.length_m) *log.length_m *= model.pendulum.length_m / given.pendulum.length_m;
     if (log.supply_v) *log.supply_v *= model.servo.supply_v / given.model.servo.supply_v;
   }

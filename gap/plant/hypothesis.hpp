@@ -45,7 +45,7 @@ bool loadIsDutyIn(const Hypothesis& hypothesis, const Trajectory& log);
 Hypothesis baselineOf(const Case& given);
 
 /// Arm of a log's bench under the hypothesis, with its payload. Where a log has an arm of its own, the hypothesis
-/// scales its length as it does that of the case.
+/// scales its length and mass as it does those of the case.
 twin::Pendulum armOf(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);
 /// Nominal supply of a log's bench under the hypothesis, V; scaled in the same way.
 double supplyOf(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);

@@ -53,6 +53,11 @@ TEST(CaseRead, ScoreIsReadAsHeldOut) {
   EXPECT_TRUE(CaseTexts{}.read().logs[1].held_out) << "the former word";
 }
 
+TEST(CaseRead, PriorsOfNumbersThatNothingMovesAreRefused) {
+  EXPECT_THAT(CaseTexts{}.with("\"kt_Nm_A\": 0.02", "\"duty_max\": 0.02").error(), HasSubstr(messages::kNeverMoved));
+  EXPECT_EQ(CaseTexts{}.with("\"kt_Nm_A\": 0.02", "\"arm_mass_kg\": 0.02").error(), "");
+}
+
 TEST(CaseRead, APartOfALogInUnixTime) {
   EXPECT_EQ(CaseTexts{}.with("\"kp\": 32", "\"from_s\": -1768489200, \"to_s\": 1768489200, \"kp\": 32").error(), "");
 }

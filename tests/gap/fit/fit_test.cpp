@@ -33,6 +33,22 @@ TEST(SearchRange, OfFrictionGrowsWithTheServo) {
   EXPECT_DOUBLE_EQ(high("load_dependent_friction", strong), high("load_dependent_friction", {}));
 }
 
+TEST(Nuisances, EveryPriorThatACaseMayHaveMovesANumber) {
+  Case bench = smallBench();
+  bench.logs[1].arm_mass_kg = 0.06;
+  bench.priors = {{"arm_mass", 0.2}, {"back_emf", 0.1}, {"speed_gain_per_kp", 0.1}};
+  const Hypothesis baseline = baselineOf(bench);
+  const std::vector<Unknown> unknowns = nuisancesOf(bench, baseline);
+  ASSERT_EQ(unknowns.size(), 3U);
+  const std::vector<double> moved(3, 1.1);
+  const Hypothesis other = applied(baseline, unknowns, moved.data());
+  EXPECT_DOUBLE_EQ(other.servo.back_emf_vs_rad, 1.1 * baseline.servo.back_emf_vs_rad);
+  EXPECT_DOUBLE_EQ(other.servo.speed_gain_per_kp_1_s, 1.1 * baseline.servo.speed_gain_per_kp_1_s);
+  EXPECT_DOUBLE_EQ(armOf(bench, bench.logs[0], other).arm_mass_kg, 1.1 * 0.03);
+  EXPECT_DOUBLE_EQ(armOf(bench, bench.logs[1], other).arm_mass_kg, 1.1 * 0.06) << "of this log's own arm";
+  EXPECT_DOUBLE_EQ(*withModel(bench, other).logs[1].arm_mass_kg, 1.1 * 0.06);
+}
+
 TEST(Noise, ARightModelCostsAboutOneASample) {
   const Case bench = smallBench();
   for (const std::uint64_t seed : {1, 2, 3}) {
