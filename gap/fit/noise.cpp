@@ -15,7 +15,8 @@
 namespace darwinop::gap {
 namespace {
 
-const double kUniform = std::sqrt(1.0 / 12);  // standard deviation of a rounding step of 1
+constexpr double kNotCounted = std::numeric_limits<double>::infinity();  // sigma
+const double kUniform = std::sqrt(1.0 / 12);                             // standard deviation of a rounding step of 1
 
 /// Mean over a window that is cut at the ends.
 Eigen::VectorXd smoothed(const Eigen::Ref<const Eigen::VectorXd>& values, Eigen::Index half) {
@@ -95,7 +96,13 @@ LogNoise::LogNoise(const Plant& plant, const Case& given, std::size_t log, const
   load_sigma_ = load_sigma_.cwiseAbs2() + loadJitter(measured, quiet, hypothesis.servo.firmware_period_s).cwiseAbs2();
   load_sigma_ = load_sigma_.cwiseSqrt().eval();
   // The torque feedback of law speed_p belongs to the ideal motor of that law, which no servo has.
-  if (!loadIsDuty(hypothesis)) load_sigma_.setConstant(std::numeric_limits<double>::infinity());
+  if (!loadIsDuty(hypothesis)) load_sigma_.setConstant(kNotCounted);
+  // What was not measured has no part in the modes, nor in the determinant, which is compared between hypotheses.
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (std::isnan(measured.position_rad[row])) position_sigma_[i] = load_sigma_[i] = kNotCounted;
+    if (std::isnan(measured.load[row])) load_sigma_[i] = kNotCounted;
+  }
 
   // What repeats of a release differ by where the model knows of no such difference.
   const double rest_sigma_rad = std::sqrt(spread.row(n - 1).squaredNorm() / static_cast<double>(options.runs));
@@ -158,9 +165,10 @@ void LogNoise::residuals(const Trajectory& measured, const Trace& simulated, Eig
 }
 
 double LogNoise::logDeterminant() const {
-  double sum = (1 + mode_sigma_.array().square()).log().sum() + 2 * position_sigma_.array().log().sum();
-  for (const double sigma : load_sigma_)
-    if (std::isfinite(sigma)) sum += 2 * std::log(sigma);
+  double sum = (1 + mode_sigma_.array().square()).log().sum();
+  for (const Eigen::VectorXd* const sigmas : {&position_sigma_, &load_sigma_})
+    for (const double sigma : *sigmas)
+      if (std::isfinite(sigma)) sum += 2 * std::log(sigma);
   return correlated_samples_ > 0 ? sum / correlated_samples_ : sum;
 }
 
@@ -168,6 +176,13 @@ Eigen::VectorXd LogNoise::positionSigma() const {
   const Eigen::Index n = position_sigma_.size();
   const Eigen::ArrayXd together = (modes_.topRows(n) * mode_sigma_.asDiagonal()).rowwise().squaredNorm();
   return (position_sigma_.array() * (1 + together).sqrt()).matrix();
+}
+
+RmsSum LogNoise::positionFloor() const {
+  RmsSum sum;
+  for (const double sigma : positionSigma())
+    if (std::isfinite(sigma)) sum.squares += sigma * sigma, sum.rows += 1;
+  return sum;
 }
 
 std::vector<LogNoise> noiseOf(const Plant& plant, const Case& given, const std::vector<std::size_t>& logs,

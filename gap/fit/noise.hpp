@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "gap/fit/discrepancy.hpp"
@@ -20,6 +21,14 @@ struct NoiseOptions {
   Discrepancy discrepancy = {};
 };
 
+/// Sum of squares over rows.
+struct RmsSum {
+  double squares = 0, rows = 0;
+
+  void add(const RmsSum& other) { squares += other.squares, rows += other.rows; }
+  [[nodiscard]] double rms() const { return std::sqrt(squares / rows); }  // NaN without rows
+};
+
 /// Whitened residuals of one log: positions, then loads. Independent with variance 1 if the model is right. A missing
 /// sample is 0.
 class LogNoise {
@@ -32,8 +41,10 @@ class LogNoise {
   [[nodiscard]] Eigen::Index size() const { return 2 * position_sigma_.size(); }
   /// Of the covariance; makes costs under different noise comparable.
   [[nodiscard]] double logDeterminant() const;
-  /// Standard deviation of each position, rad, modes included.
+  /// Standard deviation of each position, rad, modes included. Infinite: it was not measured.
   [[nodiscard]] Eigen::VectorXd positionSigma() const;
+  /// Of the positions that were measured, rad.
+  [[nodiscard]] RmsSum positionFloor() const;
   /// The measured repeats of this log come to rest in different places, which counts as noise.
   [[nodiscard]] bool bifurcates() const { return bifurcates_; }
 

@@ -151,12 +151,9 @@ double floorOf(const FittedModel& fitted) {
 }
 
 double floorOf(const Evidence& evidence) {
-  double sum = 0, count = 0;
-  for (const LogNoise& noise : evidence.noise) {
-    const Eigen::VectorXd sigma = noise.positionSigma();
-    sum += sigma.squaredNorm(), count += static_cast<double>(sigma.size());
-  }
-  return std::sqrt(sum / count);
+  RmsSum sum;
+  for (const LogNoise& noise : evidence.noise) sum.add(noise.positionFloor());
+  return sum.rms();
 }
 
 Verdict verdictOf(const Identification& found) {

@@ -63,7 +63,7 @@ std::vector<double> floorsOutside(const Study& study, const Hypothesis& model) {
   for (Trajectory& log : others.logs) log.held_out = !log.held_out;
   std::vector<double> floors;
   for (const LogNoise& noise : evidenceOf(study.plant, others, model).noise)
-    floors.push_back(std::sqrt(noise.positionSigma().squaredNorm() / static_cast<double>(noise.size() / 2)));
+    floors.push_back(noise.positionFloor().rms());
   return floors;
 }
 

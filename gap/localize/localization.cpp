@@ -11,10 +11,9 @@ double Localization::rms_rad() const {
 }
 
 double Localization::floors() const {
-  double sum = 0, count = 0;
-  for (const LogFloor& one : floor.logs)
-    sum += one.sigma_rad.squaredNorm(), count += static_cast<double>(one.sigma_rad.size());
-  return rms_rad() / std::sqrt(sum / count);
+  RmsSum sum;
+  for (const LogFloor& one : floor.logs) sum.add(one.positions);
+  return rms_rad() / sum.rms();
 }
 
 Localization localize(const Study& study) {

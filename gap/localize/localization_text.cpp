@@ -26,15 +26,14 @@ constexpr std::size_t kWidth = 100;
 }
 
 std::string floorText(const Localization& where) {
-  double sum = 0, count = 0;
-  for (const LogFloor& one : where.floor.logs)
-    sum += one.sigma_rad.squaredNorm(), count += static_cast<double>(one.sigma_rad.size());
+  RmsSum sum;
+  for (const LogFloor& one : where.floor.logs) sum.add(one.positions);
   std::string how =
       where.floor.repeats_rad >= 0 ? "assumed: no fitted log was repeated" : "assumed: no log was repeated";
   if (!where.floor.assumed)
     how = "repeats differ by " + text::fixedText(1e3 * where.floor.repeats_rad, 2) + " mrad, " +
           text::fixedText(where.floor.factor, 2) + " times as much as noise would make them";
-  std::string text = line("Floor %.2f mrad (%s)", 1e3 * std::sqrt(sum / count), how.c_str());
+  std::string text = line("Floor %.2f mrad (%s)", 1e3 * sum.rms(), how.c_str());
   for (std::size_t i = 0; i < where.floor.logs.size(); ++i)
     if (where.floor.logs[i].bifurcates)
       text +=

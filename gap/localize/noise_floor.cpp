@@ -34,10 +34,10 @@ GroupSpread spreadOfGroup(const Case& given, const Evidence& evidence, const Sim
 NoiseFloor floorOf(const Case& given, const Evidence& evidence, const SimulatedRepeats& copies) {
   NoiseFloor out;
   for (std::size_t i = 0; i < evidence.logs.size(); ++i) {
-    LogFloor floor{.log = evidence.logs[i], .sigma_rad = evidence.noise[i].positionSigma()};
+    LogFloor floor{.log = evidence.logs[i], .positions = evidence.noise[i].positionFloor()};
     floor.bifurcates = evidence.noise[i].bifurcates();
+    floor.rms_rad = floor.positions.rms();
     floor.quantisation_rad = readingSigma(given.model.servo);
-    floor.rms_rad = std::sqrt(floor.sigma_rad.squaredNorm() / static_cast<double>(floor.sigma_rad.size()));
     floor.repeats_rad = floor.expected_rad = std::numeric_limits<double>::quiet_NaN();
     out.logs.push_back(std::move(floor));
   }

@@ -16,8 +16,8 @@ struct LogFloor {
   double repeats_rad = 0;       // standard deviation of the measured runs of this motion; NaN: not repeated
   double expected_rad = 0;      // the same of simulated runs; NaN with the former
   bool bifurcates = false;      // measured repeats come to rest in different places
-  double rms_rad = 0;           // of sigma_rad
-  Eigen::VectorXd sigma_rad;    // each sample: encoder, and the assumed disturbance on this motion
+  double rms_rad = 0;           // of `positions`
+  RmsSum positions;             // standard deviation of each: encoder, and the assumed disturbance on this motion
 };
 
 struct NoiseFloor {

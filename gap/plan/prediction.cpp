@@ -105,7 +105,12 @@ Prediction predict(const Case& coming, const FittedHypothesis& hypothesis, int n
   for (std::size_t i = 0; i < logs.size(); ++i) logs[i] = i;
   NoiseOptions options;
   options.runs = noise_runs;
-  prediction.noise = noiseOf(plantOf(coming), coming, logs, hypothesis.best(), options);
+  Case recorded = coming;  // every row of it, and from where it begins
+  for (Trajectory& log : recorded.logs) {
+    std::ranges::fill(log.position_rad, log.position_rad.front());
+    std::ranges::fill(log.load, 0);
+  }
+  prediction.noise = noiseOf(plantOf(recorded), recorded, logs, hypothesis.best(), options);
   return prediction;
 }
 

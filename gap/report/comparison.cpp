@@ -63,7 +63,7 @@ Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis
   one.after_rad = trace[kPositionSignal];
   Squares squares{.before = squareOf(log.position_rad, one.before_rad),
                   .after = squareOf(log.position_rad, one.after_rad),
-                  .floor = noise.positionSigma().squaredNorm() * (knownRows(log) / static_cast<double>(log.rows())),
+                  .floor = noise.positionFloor().squares,
                   .rows = knownRows(log)};
   one.gap = squares.rms();
   one.noise_share = shareOf(noise, log, trace);

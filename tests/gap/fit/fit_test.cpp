@@ -69,8 +69,28 @@ TEST(Noise, UnknownSamplesDoNotCount) {
   EXPECT_TRUE(residualsOf(bench).allFinite());
 }
 
+// Costs under the noise of different hypotheses are compared by it.
+TEST(Noise, UnknownSamplesHaveNoPartInTheDeterminant) {
+  Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
+  bench.logs.resize(1);
+  const auto determinant = [&] {
+    return evidenceOf(plantOf(bench), bench, baselineOf(bench)).noise[0].logDeterminant();
+  };
+  const double all = determinant();
+  for (double& load : bench.logs[0].load) load = std::numeric_limits<double>::quiet_NaN();
+  const double positions = determinant();
+  EXPECT_NEAR(positions / all, 0.5, 0.1);
+  const std::size_t half = bench.logs[0].rows() / 2;
+  for (std::size_t row = 0; row < half; ++row)
+    bench.logs[0].position_rad[2 * row + 1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NEAR(determinant() / positions, 0.5, 0.1);
+  const RmsSum floor = evidenceOf(plantOf(bench), bench, baselineOf(bench)).noise[0].positionFloor();
+  EXPECT_EQ(floor.rows, static_cast<double>(bench.logs[0].rows() - half));
+  EXPECT_LT(floor.rms(), 0.01);
+}
+
 TEST(Noise, TheFloorIsAtLeastWhatTheEncoderRounds) {
-  const Case bench = smallBench();
+  const Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
   const double tick = 2 * 3.14159265 / 4096;
   for (const LogNoise& log : evidenceOf(plantOf(bench), bench, baselineOf(bench)).noise) {
     EXPECT_GE(log.positionSigma().minCoeff(), 0.4 * tick);
