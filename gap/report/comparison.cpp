@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "gap/case/plausible.hpp"
 #include "gap/fit/noise.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plants.hpp"
@@ -72,11 +73,14 @@ Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis
 }
 
 /// Without simulated noise, which would take longer than all the rest.
-Gap compareOthers(const Case& given, const Hypothesis& before, const Hypothesis& after) {
+void compareOthers(const Case& given, const Hypothesis& before, const Hypothesis& after, Comparison& out) {
   Case view = given;
-  view.logs = std::move(view.others);
+  view.logs.insert(view.logs.end(), view.others.begin(), view.others.end());
+  const auto copies = duplicates(view);
   std::vector<Squares> squares(view.logs.size());
-  forEach(view.logs.size(), [&](std::size_t i) {
+  forEach(view.others.size(), [&](std::size_t other) {
+    const std::size_t i = given.logs.size() + other;
+    if (copies[i]) return;
     const auto squareWith = [&](const Hypothesis& hypothesis) {
       Trace trace;
       plantOf(view).rollOut(view, i, hypothesis, {}, trace);
@@ -88,8 +92,12 @@ Gap compareOthers(const Case& given, const Hypothesis& before, const Hypothesis&
                   .rows = knownRows(view.logs[i])};
   });
   Squares all;
-  for (const Squares& one : squares) all.add(one);
-  return all.rms();
+  for (std::size_t i = given.logs.size(); i < squares.size(); ++i) {
+    if (copies[i]) continue;
+    all.add(squares[i]);
+    ++out.other_logs;
+  }
+  out.others = all.rms();
 }
 
 }  // namespace
@@ -110,14 +118,15 @@ Comparison compare(const Case& given, const Hypothesis& before, const Hypothesis
     squares[i] = compareOne(given, before, after, out.logs[i]);
   });
   Squares held_out, fit;
+  const auto copies = duplicates(given);
   for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (copies[i]) continue;
     (given.logs[i].held_out ? held_out : fit).add(squares[i]);
     ++(given.logs[i].held_out ? out.held_out_logs : out.fit_logs);
   }
   out.held_out = held_out.rms();
   out.fit = fit.rms();
-  out.others = compareOthers(given, before, after);
-  out.other_logs = given.others.size();
+  compareOthers(given, before, after, out);
   return out;
 }
 

@@ -29,7 +29,7 @@ struct LogComparison {
 struct Comparison {
   std::vector<LogComparison> logs;  // all of the case
   // Over all rows of the held-out logs, of the fitted ones, and of those that are neither, whose noise is not
-  // simulated.
+  // simulated. Copies of a log count once.
   Gap held_out, fit, others;
   std::size_t held_out_logs = 0, fit_logs = 0, other_logs = 0;
   [[nodiscard]] bool anyBelowFloor(const Case& given, bool of_held_out) const;
