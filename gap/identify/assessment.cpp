@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/identify/cross_validation.hpp"
 #include "gap/plant/baseline_alias.hpp"
 #include "gap/thresholds.hpp"
 
@@ -16,21 +17,30 @@ double sigmasOff(const FittedModel& fitted, std::size_t i) {
   return (unknown.fromSearch(fitted.fit.x[static_cast<Eigen::Index>(i)]) - unknown.expected) / unknown.sigma;
 }
 
-/// Variance of the unknowns by the jackknife over logs: how far each log by itself pulls them, to first order. The
-/// error of a wrong model is the same all over a log, so samples of one log are one piece of evidence.
+/// Variance of the unknowns by the jackknife over logs: how far each log by itself, with its repeats, pulls them, to
+/// first order. The error of a wrong model is the same all over a log, so samples of one log are one piece of evidence.
 Eigen::MatrixXd jackknifeCovariance(const FittedModel& fitted) {
   const Eigen::Index count = fitted.fit.x.size();
-  const auto logs = static_cast<double>(fitted.evidence->noise.size());
+  const Evidence& evidence = *fitted.evidence;
+  const std::vector<std::vector<std::size_t>> groups = independentLogs(evidence);
+  const auto logs = static_cast<double>(groups.size());
+  std::vector<Eigen::Index> begin{0};  // of each log's residuals
+  for (const LogNoise& noise : evidence.noise) begin.push_back(begin.back() + noise.size());
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
-  Eigen::Index row = 0;
-  for (const LogNoise& noise : fitted.evidence->noise) {
-    const Eigen::VectorXd residuals = fitted.fit.residuals.segment(row, noise.size());
-    const Eigen::MatrixXd jacobian = fitted.fit.jacobian.middleRows(row, noise.size());
-    row += noise.size();
-    const Eigen::VectorXd weights = residuals.unaryExpr(
-        [](double r) { return 1 / std::sqrt(1 + r * r / (thresholds::kRobustSigmas * thresholds::kRobustSigmas)); });
-    const Eigen::MatrixXd weighted = jacobian.transpose() * weights.asDiagonal();
-    const Eigen::VectorXd pull = (fitted.fit.information - weighted * jacobian).ldlt().solve(weighted * residuals);
+  for (const std::vector<std::size_t>& group : groups) {
+    Eigen::MatrixXd others = fitted.fit.information;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
+    for (const std::size_t i : group) {
+      const Eigen::Index size = evidence.noise[i].size();
+      const Eigen::VectorXd residuals = fitted.fit.residuals.segment(begin[i], size);
+      const Eigen::MatrixXd jacobian = fitted.fit.jacobian.middleRows(begin[i], size);
+      const Eigen::VectorXd weights = residuals.unaryExpr(
+          [](double r) { return 1 / std::sqrt(1 + r * r / (thresholds::kRobustSigmas * thresholds::kRobustSigmas)); });
+      const Eigen::MatrixXd weighted = jacobian.transpose() * weights.asDiagonal();
+      others -= weighted * jacobian;
+      gradient += weighted * residuals;
+    }
+    const Eigen::VectorXd pull = others.ldlt().solve(gradient);
     covariance += pull * pull.transpose() * ((logs - 1) / logs);
   }
   return covariance;

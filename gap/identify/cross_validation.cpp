@@ -1,62 +1,83 @@
 #include "gap/identify/cross_validation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-Evidence leftOut(const Evidence& all, std::size_t left_out) {
+Evidence leftOut(const Evidence& all, const std::vector<std::size_t>& left_out) {
   Evidence rest{.plant = all.plant, .given = all.given, .logs = {}, .noise = {}, .discrepancy = all.discrepancy};
   for (std::size_t i = 0; i < all.logs.size(); ++i) {
-    if (i == left_out) continue;
+    if (std::ranges::find(left_out, i) != left_out.end()) continue;
     rest.logs.push_back(all.logs[i]);
     rest.noise.push_back(all.noise[i]);
   }
   return rest;
 }
 
-/// Mean |position error| of this log, rad, when the others alone are fitted.
-double errorOn(const FittedModel& fitted, std::size_t left_out) {
+/// Mean |position error| of these logs, rad, when the others alone are fitted.
+double errorOn(const FittedModel& fitted, const std::vector<std::size_t>& left_out) {
   const Evidence rest = leftOut(*fitted.evidence, left_out);
   const Problem problem{rest, fitted.problem.hypothesis(), fitted.problem.unknowns()};
   const Fit fit =
       solve(problem, fitted.fit.x,
             {.iterations = thresholds::kCrossValidationIterations, .refine = false, .steps = fitted.fit.steps});
-  const std::size_t log = fitted.evidence->logs[left_out];
-  const Trajectory& measured = rest.given->logs[log];
-  Trace trace;
-  rest.plant->rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
   double sum = 0;
   double count = 0;
-  for (std::size_t row = 0; row < measured.rows(); ++row)
-    if (const double error = measured.position_rad[row] - trace[kPositionSignal][row]; !std::isnan(error))
-      sum += std::abs(error), ++count;
+  for (const std::size_t one : left_out) {
+    const std::size_t log = fitted.evidence->logs[one];
+    const Trajectory& measured = rest.given->logs[log];
+    Trace trace;
+    rest.plant->rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
+    for (std::size_t row = 0; row < measured.rows(); ++row)
+      if (const double error = measured.position_rad[row] - trace[kPositionSignal][row]; !std::isnan(error))
+        sum += std::abs(error), ++count;
+  }
   return sum / count;
 }
 
 }  // namespace
 
+std::vector<std::vector<std::size_t>> independentLogs(const Evidence& evidence) {
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<std::size_t> first;  // log of the case, of each group
+  for (std::size_t i = 0; i < evidence.logs.size(); ++i) {
+    const std::size_t of = evidence.given->logs[evidence.logs[i]].repeat_of.value_or(evidence.logs[i]);
+    const auto found = static_cast<std::size_t>(std::ranges::find(first, of) - first.begin());
+    if (found == first.size()) first.push_back(of), groups.emplace_back();
+    groups[found].push_back(i);
+  }
+  return groups;
+}
+
 std::vector<double> leaveOneOutErrors(const FittedModel& fitted) {
   std::vector<double> errors;
-  for (std::size_t i = 0; i < fitted.evidence->logs.size(); ++i) errors.push_back(errorOn(fitted, i));
+  for (const std::vector<std::size_t>& group : independentLogs(*fitted.evidence))
+    errors.push_back(errorOn(fitted, group));
   return errors;
 }
 
-CrossValidation crossValidate(const std::vector<double>& without, const std::vector<double>& with) {
+CrossValidation crossValidate(const std::vector<double>& without, const std::vector<double>& with, double floor_rad) {
   CrossValidation result{.mean = 0, .error = 0, .logs = static_cast<int>(with.size())};
   const auto count = static_cast<double>(with.size());
-  for (std::size_t i = 0; i < with.size(); ++i) result.mean += std::log(without[i] / with[i]) / count;
+  const auto ratio = [&](std::size_t i) {
+    return std::log(std::hypot(without[i], floor_rad) / std::hypot(with[i], floor_rad));
+  };
+  for (std::size_t i = 0; i < with.size(); ++i) result.mean += ratio(i) / count;
   for (std::size_t i = 0; i < with.size(); ++i)
-    result.error += std::pow(std::log(without[i] / with[i]) - result.mean, 2) / (count * (count - 1));
+    result.error += std::pow(ratio(i) - result.mean, 2) / (count * (count - 1));
   result.error = std::sqrt(result.error);
   return result;
 }
 
 CrossValidation crossValidate(const FittedModel& without, const FittedModel& with) {
-  return crossValidate(leaveOneOutErrors(without), leaveOneOutErrors(with));
+  return crossValidate(leaveOneOutErrors(without), leaveOneOutErrors(with),
+                       readingSigma(without.study->data.model.servo));
 }
 
 }  // namespace darwinop::gap

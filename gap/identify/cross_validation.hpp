@@ -12,14 +12,19 @@ struct CrossValidation {
   double mean = 0, error = 0;
   int logs = 0;
 
+  static constexpr int kFewestLogs = 3;  // for a standard error
   /// The mean is positive by more than two standard errors.
-  [[nodiscard]] bool improves() const { return logs > 2 && mean > 2 * error; }
+  [[nodiscard]] bool improves() const { return logs >= kFewestLogs && mean > 2 * error; }
 };
 CrossValidation crossValidate(const FittedModel& without, const FittedModel& with);
-/// The same for errors that are known already.
-CrossValidation crossValidate(const std::vector<double>& without, const std::vector<double>& with);
+/// The same for errors that are known already. `floor_rad` is added to both: what the encoder cannot resolve is no
+/// difference.
+CrossValidation crossValidate(const std::vector<double>& without, const std::vector<double>& with, double floor_rad);
 
-/// Mean |position error| of each log, rad, when the other logs alone are fitted.
+/// Fitted logs that repeat each other, as indices of the evidence: they are one piece of evidence.
+std::vector<std::vector<std::size_t>> independentLogs(const Evidence& evidence);
+
+/// Mean |position error| of each log, rad, when the other logs alone are fitted; of a log and its repeats together.
 std::vector<double> leaveOneOutErrors(const FittedModel& fitted);
 
 }  // namespace darwinop::gap

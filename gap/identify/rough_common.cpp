@@ -9,6 +9,7 @@
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/rough_selection.hpp"
 #include "gap/plant/position_error.hpp"
+#include "gap/plant/registers.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -64,6 +65,7 @@ RoughSelection::RoughSelection(const Study& study, const IdentifyOptions& option
                                const FittedModel& from)
     : study_{study},
       options_{options},
+      floor_rad_{readingSigma(study.data.model.servo)},
       candidates_{candidateEffectsOf(study.data)},
       model_{refitWithDiscrepancy(effects, refitWithDiscrepancy(effects, restarted(effects, from)))} {}
 
@@ -82,7 +84,7 @@ void RoughSelection::addCommonEffects() {
     model_ = fitFromStarts(common, bare);
     dropNeedless();
   }
-  if (!crossValidate(before, leaveOneOutErrors(model_)).improves()) model_ = bare;
+  if (!crossValidate(before, leaveOneOutErrors(model_), floor_rad_).improves()) model_ = bare;
 }
 
 /// The start that leads to the least error.

@@ -62,7 +62,7 @@ std::vector<FittedModel> fitEach(const FittedModel& model, const Trial& trial) {
 bool RoughSelection::predictsAsWell(const FittedModel& other, const std::vector<double>& errors) const {
   const twin::EffectInfo& effect = *other.effects.back().info;
   if (isAtItsBound(other, effect) || isNegligible(other, effect) || worsensHeldOut(other)) return false;
-  return !crossValidate(leaveOneOutErrors(other), errors).improves();
+  return !crossValidate(leaveOneOutErrors(other), errors, floor_rad_).improves();
 }
 
 void RoughSelection::noteDoubles() {

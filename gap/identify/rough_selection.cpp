@@ -40,7 +40,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(const std::v
     }
     ++tested;
     std::vector<double> with = leaveOneOutErrors(candidate);
-    const CrossValidation validation = crossValidate(errors, with);
+    const CrossValidation validation = crossValidate(errors, with, floor_rad_);
     char text[160];
     std::snprintf(text, sizeof text, "%s: leave-one-log-out prediction error ratio %.2f, %.2f to %.2f",
                   std::string{effect.id}.c_str(), std::exp(validation.mean),
@@ -59,7 +59,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(const std::v
 void RoughSelection::noteRivals(const std::vector<Tested>& tested, const Tested* best) {
   rivals_.clear();
   for (const Tested& other : tested)
-    if (&other != best && (best == nullptr || !crossValidate(other.errors, best->errors).improves()))
+    if (&other != best && (best == nullptr || !crossValidate(other.errors, best->errors, floor_rad_).improves()))
       rivals_.push_back({idsOf(other.model->effects), 0, false});
 }
 

@@ -53,6 +53,7 @@ class RoughSelection {
 
   const Study& study_;
   const IdentifyOptions& options_;
+  double floor_rad_;  // of the encoder
   std::vector<const twin::EffectInfo*> candidates_;
   FittedModel model_;
   std::vector<Rival> rivals_;

@@ -9,6 +9,7 @@
 #include "gap/identify/held_out.hpp"
 #include "gap/identify/selection.hpp"
 #include "gap/plant/position_error.hpp"
+#include "gap/plant/registers.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -81,10 +82,11 @@ void dropUnproven(const Study& half, Identification& found) {
   const std::vector<double> errors = errorsOutside(half, with.hypothesis()),
                             floors = floorsOutside(half, with.hypothesis());
   if (!worsensNone(errorsOutside(half, half.baseline), errors, floors)) return found.effects.clear();
+  const double floor_rad = readingSigma(half.data.model.servo);
   std::vector<IdentifiedEffect> proven;
   for (std::size_t i = 0; i < found.effects.size(); ++i) {
     const std::vector<double> without = errorsOutside(half, modelWithout(with, i));
-    if (worsensNone(without, errors, floors) && crossValidate(without, errors).improves()) {
+    if (worsensNone(without, errors, floors) && crossValidate(without, errors, floor_rad).improves()) {
       proven.push_back(found.effects[i]);
       continue;
     }

@@ -127,6 +127,24 @@ TEST(CrossValidation, WhatIsNotThereDoesNot) {
   EXPECT_FALSE(crossValidate(baselineOn(study, Nuisance::kFixed), effectOn(study, "supply_sag")).improves());
 }
 
+TEST(CrossValidation, ALogThatTheEncoderCannotTellFromAnotherIsNoVote) {
+  constexpr double kFloor = 4e-4;
+  EXPECT_TRUE(crossValidate({0.1, 0.11, 0.1, 0}, {0.02, 0.02, 0.021, 0}, kFloor).improves()) << "an arm at rest";
+  EXPECT_NEAR(crossValidate({1e-5, 1e-5, 1e-5}, {1e-7, 1e-7, 1e-7}, kFloor).mean, 0, 0.001);
+}
+
+TEST(CrossValidation, ALogAndItsRepeatsAreLeftOutTogether) {
+  const Case bench = smallBench();
+  Case given = measured(bench, baselineOf(bench), 25);
+  given.logs.push_back(measured(bench, baselineOf(bench), 26).logs[0]);
+  given.logs.back().repeat_of = 0;
+  const Study study{given, {.runs = 2, .disturbance = {}}};
+  const FittedModel fitted = baselineOn(study, Nuisance::kFixed);
+  ASSERT_EQ(fitted.evidence->logs.size(), 4U);
+  EXPECT_EQ(independentLogs(*fitted.evidence), (std::vector<std::vector<std::size_t>>{{0, 3}, {1}, {2}}));
+  EXPECT_EQ(leaveOneOutErrors(fitted).size(), 3U);
+}
+
 TEST(Estimates, WhatTheDataSayNothingAboutIsLeftNeutral) {
   const Case bench = smallBench();
   const Case given = measured(bench, withEffect(bench, "torque_limit", "duty", 0.6), 24);
