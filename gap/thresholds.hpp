@@ -29,6 +29,8 @@ inline constexpr double kRightCostRatio = 1.15;
 /// Samples at 16 ms whose errors are correlated where a model is wrong; widens intervals. From the specification
 /// (N_eff = N / 8).
 inline constexpr double kCorrelatedSamples = 8;
+/// s. Period of those samples: errors of a log with other rows are correlated for as long.
+inline constexpr double kCorrelatedPeriod = 0.016;
 /// Share of a parameter: its 90 % interval is never narrower. A limit of 80 rad/s2 came back 0.3 % off from the logs of
 /// another simulator.
 inline constexpr double kFinestInterval = 0.004;

@@ -46,6 +46,19 @@ Eigen::MatrixXd jackknifeCovariance(const FittedModel& fitted) {
   return covariance;
 }
 
+/// Residuals over independent ones, where the errors of a wrong model are correlated.
+double correlatedSamples(const Evidence& evidence) {
+  double residuals = 0, independent = 0;
+  for (std::size_t i = 0; i < evidence.logs.size(); ++i) {
+    const Trajectory& log = evidence.given->logs[evidence.logs[i]];
+    const double period_s = log.duration_s() / static_cast<double>(log.rows() - 1);
+    const auto size = static_cast<double>(evidence.noise[i].size());
+    residuals += size;
+    independent += size / std::max(1.0, thresholds::kCorrelatedSamples * thresholds::kCorrelatedPeriod / period_s);
+  }
+  return residuals / independent;
+}
+
 }  // namespace
 
 double misfitOf(const FittedModel& fitted, const Bootstrap& bootstrap) {
@@ -80,9 +93,10 @@ std::vector<PriorConflict> priorConflictsOf(const FittedModel& fitted) {
 std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectInfo& effect, double excess) {
   // The residual of a wrong model is not white: neighbouring samples are correlated, and all of a log to some extent.
   const bool is_wrong = excess > thresholds::kRightCostRatio || fitted.evidence->discrepancy.any();
-  const double wider = excess > thresholds::kRightCostRatio ? std::sqrt(thresholds::kCorrelatedSamples * excess) : 1;
-  const bool by_logs =
-      is_wrong && fitted.evidence->noise.size() > 2 && fitted.fit.jacobian.cols() == fitted.fit.x.size();
+  const double wider =
+      excess > thresholds::kRightCostRatio ? std::sqrt(correlatedSamples(*fitted.evidence) * excess) : 1;
+  const bool by_logs = is_wrong && std::ssize(independentLogs(*fitted.evidence)) >= CrossValidation::kFewestLogs &&
+                       fitted.fit.jacobian.cols() == fitted.fit.x.size();
   const Eigen::MatrixXd over_logs = by_logs ? jackknifeCovariance(fitted) : Eigen::MatrixXd{};
   std::vector<Estimate> estimates;
   const auto& unknowns = fitted.problem.unknowns();

@@ -145,6 +145,24 @@ TEST(CrossValidation, ALogAndItsRepeatsAreLeftOutTogether) {
   EXPECT_EQ(leaveOneOutErrors(fitted).size(), 3U);
 }
 
+TEST(Estimates, ARemainderWidensByTheTimeThatErrorsAreCorrelated) {
+  const Case bench = smallBench();
+  const twin::EffectInfo& offset = *twin::findEffect("encoder_offset");
+  Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 24);
+  given.logs[2].held_out = true;  // two logs: no jackknife
+  const Study study{given};
+  const FittedModel fitted = fitWith(study, {{&offset}}, Nuisance::kFixed, 2);
+  const auto widthFor = [&](double excess) {
+    const Estimate one = estimatesOf(fitted, offset, excess).front();
+    return one.high - one.low;
+  };
+  const double right = widthFor(1);
+  EXPECT_NEAR(widthFor(2) / right, std::sqrt(2 * 8), 0.01) << "rows of 16 ms";
+  for (Trajectory& log : given.logs)
+    for (double& time_s : log.time_s) time_s /= 4;
+  EXPECT_NEAR(widthFor(2) / right, std::sqrt(2 * 4 * 8), 0.01);
+}
+
 TEST(Estimates, WhatTheDataSayNothingAboutIsLeftNeutral) {
   const Case bench = smallBench();
   const Case given = measured(bench, withEffect(bench, "torque_limit", "duty", 0.6), 24);
