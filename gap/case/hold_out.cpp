@@ -8,6 +8,9 @@
 namespace darwinop::gap {
 namespace {
 
+/// A motor that is roughly known needs three to name an effect (CrossValidation::improves).
+constexpr std::size_t kFewestFitted = 3;
+
 std::string stemOf(const std::string& file) {
   return std::filesystem::path{file}.stem().string();
 }
@@ -25,8 +28,10 @@ void holdOut(const std::vector<std::string>& names, FolderCase& in) {
       throw BadInput("--keep " + name + messages::kNotLogOfFolder + in.given.folder);
   const double greatest = std::ranges::max(logs, {}, &Trajectory::p_register).p_register;
   const auto of_greatest = static_cast<std::size_t>(std::ranges::count(logs, greatest, &Trajectory::p_register));
-  const bool by_gain = 2 * of_greatest <= logs.size();
-  const std::size_t quarter = logs.size() < 2 ? 0 : (logs.size() + 3) / 4;  // a lone log is fitted
+  // Of two logs one is fitted: no choice leaves enough.
+  const std::size_t most = logs.size() < kFewestFitted ? logs.size() / 2 : logs.size() - kFewestFitted;
+  const bool by_gain = 2 * of_greatest <= logs.size() && of_greatest <= most;
+  const std::size_t quarter = std::min((logs.size() + 3) / 4, most);
   for (std::size_t i = 0; i < logs.size(); ++i) {
     const std::string stem = stemOf(logs[i].file);
     const bool named = std::ranges::any_of(names, [&](const std::string& name) { return stemOf(name) == stem; });

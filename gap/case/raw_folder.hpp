@@ -36,7 +36,8 @@ FolderCase readRawFolder(const RawFolder& request);
 FolderCase readCsvFolder(const RawFolder& request, const Declarations& declared, const twin::Model& model);
 
 /// Marks logs as held out: those with these names; without any, those of the greatest P gain if they are at most half,
-/// else the last quarter, rounded up; never a lone log. Throws BadInput for a name without a log.
+/// else the last quarter, rounded up; so that three remain where there are three. Throws BadInput for a name without a
+/// log.
 void holdOut(const std::vector<std::string>& names, FolderCase& in);
 
 /// Most logs that are searched, of each role. Of an XL330, 8 and 4 took 145 core-seconds, 16 and 8 took 298; the goal

@@ -74,7 +74,8 @@ struct Identification {
   double floor_rad = 0;                          // the same of a right model: noise alone
   Hypothesis model;                              // the baseline with the effects
   std::vector<std::string> explained;            // files of the logs that alone were fitted; empty: all were
-  bool remains = false;  // named or ambiguous, with a remainder that no effect of the catalogue explains
+  bool too_few_logs = false;  // `cannot_tell`: a roughly known motor, and fewer than three independent fitted logs
+  bool remains = false;       // named or ambiguous, with a remainder that no effect of the catalogue explains
 };
 
 struct IdentifyOptions {

@@ -129,6 +129,10 @@ Identification RoughSelection::result() const {
   found.verdict = found.remains ? verdictWithRemainder(found) : verdictOf(found);
   if ((found.remains || !found.effects.empty()) && gap::worsensHeldOut(study_, found.model, found.floor_rad))
     withdraw(study_, true, found);
+  // No effect could have been named, whatever the logs contain.
+  if (found.verdict == Verdict::kUnknown &&
+      std::ssize(independentLogs(*model_.evidence)) < CrossValidation::kFewestLogs)
+    found.verdict = Verdict::kCannotTell, found.too_few_logs = true;
   return found;
 }
 

@@ -25,6 +25,9 @@ inline constexpr const char* kPerhaps = ", and these logs do not decide whether 
 inline constexpr const char* kOutsideCatalogue = " known effects explains";
 inline constexpr const char* kTooLittle =
     "These logs differ from the model, but by too little, or in too few ways, to say why.";
+inline constexpr const char* kTooFewLogs =
+    "These logs differ from the model, but a roughly known motor needs three fitted logs, repeats counted once, to say "
+    "why.";
 inline constexpr const char* kRemainder = "; a remainder is left that no effect of the catalogue explains.";
 inline constexpr const char* kWidened = "The intervals are widened by the remainder.";
 inline constexpr const char* kExplained =

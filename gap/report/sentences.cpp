@@ -95,7 +95,7 @@ std::string firstSentence(const Outcome& outcome) {
       return "The model lacks something that none of the " + std::to_string(twin::catalogue().size()) +
              messages::kOutsideCatalogue + placeOf(outcome) + ".";
     case Verdict::kCannotTell:
-      return messages::kTooLittle;
+      return identification.too_few_logs ? messages::kTooFewLogs : messages::kTooLittle;
     case Verdict::kBadInput:
       break;
   }

@@ -152,11 +152,12 @@ TEST(BamLog, AFolderBecomesACaseOfSeveralArms) {
   write(model, "[model]\nname = any\n");
   write(folder / "a.json", bamText(zero, zero));
   write(folder / "b.json", replaced(bamText(zero, zero), "\"length\": 0.15", "\"length\": 0.1"));
-  write(folder / "c.json", replaced(bamText(zero, zero), "\"kp\": 32", "\"kp\": 64"));
+  write(folder / "c.json", bamText(zero, zero));
+  write(folder / "d.json", replaced(bamText(zero, zero), "\"kp\": 32", "\"kp\": 64"));
   const FolderCase read = readBamFolder(folder / "", model, {});
-  ASSERT_EQ(read.given.logs.size(), 3u);
+  ASSERT_EQ(read.given.logs.size(), 4u);
   EXPECT_FALSE(read.given.logs[0].held_out);
-  EXPECT_TRUE(read.given.logs[2].held_out) << "another gain shows whether the model generalizes";
+  EXPECT_TRUE(read.given.logs[3].held_out) << "another gain shows whether the model generalizes";
   writeCase(read.given, out / "case");
   const Case back = readCase(out / "case");
   EXPECT_EQ(armOf(back, back.logs[0]).length_m, 0.15);
@@ -176,7 +177,18 @@ TEST(BamLog, OfOneGainTheLastQuarterIsHeldOut) {
     const FolderCase read = readBamFolder(folder / "", model, {});
     held.push_back(std::ranges::count_if(read.given.logs, &Trajectory::held_out));
   }
-  EXPECT_THAT(held, ElementsAre(0, 1, 1, 1, 2)) << "a lone log is fitted";
+  EXPECT_THAT(held, ElementsAre(0, 1, 0, 1, 2)) << "three are fitted where there are three, and a lone one";
+}
+
+TEST(BamLog, AGainWithoutWhichTwoLogsRemainIsNotHeldOut) {
+  const TemporaryFolder folder, out;
+  const std::string model = out / "model.ini";
+  write(model, "[model]\nname = any\n");
+  for (const char* const name : {"a.json", "b.json"}) write(folder / name, bamText(zero, zero));
+  for (const char* const name : {"c.json", "d.json"})
+    write(folder / name, replaced(bamText(zero, zero), "\"kp\": 32", "\"kp\": 64"));
+  const FolderCase read = readBamFolder(folder / "", model, {});
+  EXPECT_EQ(std::ranges::count_if(read.given.logs, &Trajectory::held_out), 1);
 }
 
 TEST(BamLog, AGainOfMostLogsIsNotHeldOut) {

@@ -122,6 +122,15 @@ TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   EXPECT_EQ(identification.effects.front().effect->id, "coulomb");
 }
 
+TEST(RoughNumbers, TwoLogsAreTooFewToNameAnything) {
+  Case bench = manualBench();
+  for (std::size_t i = 1; i < bench.logs.size(); ++i) bench.logs[i].held_out = i != 3;
+  const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};
+  const Identification identification = identify(Study{measuredIn(gusts, bench, realServo(bench))});
+  EXPECT_EQ(identification.verdict, Verdict::kCannotTell) << namesIn(identification);
+  EXPECT_TRUE(identification.too_few_logs);
+}
+
 /// A joint of an arm, from a program that records goals and positions alone: one weight, one gain, held horizontally.
 Case jointOfAnArm() {
   Case bench = manualBench();
