@@ -33,6 +33,7 @@ Eigen::VectorXd smoothed(const Eigen::Ref<const Eigen::VectorXd>& values, Eigen:
 Eigen::MatrixXd deviations(const Plant& plant, const Case& given, std::size_t log, const Hypothesis& hypothesis,
                            const NoiseOptions& options, const Trace& quiet, const LoadResidual& load_residual) {
   const auto n = static_cast<Eigen::Index>(given.logs[log].rows());
+  const double step = loadStepOf(given.logs[log]);
   Eigen::MatrixXd all(2 * n, options.runs);
   Trace noisy;
   for (int run = 0; run < options.runs; ++run) {
@@ -42,7 +43,7 @@ Eigen::MatrixXd deviations(const Plant& plant, const Case& given, std::size_t lo
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto row = static_cast<std::size_t>(i);
       all(i, run) = noisy[kPositionSignal][row] - quiet[kPositionSignal][row];
-      const double load = std::round(noisy[kLoadSignal][row] / kLoadStep) * kLoadStep;
+      const double load = std::round(noisy[kLoadSignal][row] / step) * step;
       all(n + i, run) =
           load_residual(load, noisy[kPositionSignal][row], quiet[kLoadSignal][row], quiet[kPositionSignal][row]);
     }
@@ -91,7 +92,7 @@ LogNoise::LogNoise(const Plant& plant, const Case& given, std::size_t log, const
   const double reading = tick * std::hypot(kUniform, options.disturbance.encoder_ticks);
   position_sigma_ = takeRoughness(spread.topRows(n)).cwiseMax(reading);
   const double gain = hypothesis.servo.duty_per_kp_per_rad * measured.p_register;
-  const double duty = std::hypot(gain * reading, kLoadStep * kUniform);
+  const double duty = std::hypot(gain * reading, loadStepOf(measured) * kUniform);
   load_sigma_ = takeRoughness(spread.bottomRows(n)).cwiseMax(duty);
   load_sigma_ = load_sigma_.cwiseAbs2() + loadJitter(measured, quiet, hypothesis.servo.firmware_period_s).cwiseAbs2();
   load_sigma_ = load_sigma_.cwiseSqrt().eval();

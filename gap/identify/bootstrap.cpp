@@ -5,18 +5,18 @@
 
 #include "gap/parallel/parallel.hpp"
 #include "gap/parallel/ranks.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kLoadSteps = 1'000;  // of the register: 0.1 %
-
 /// The log as the servo would report it in this run.
 Trajectory reportedLog(Trajectory log, const Trace& run) {
+  const double step = loadStepOf(log);
   for (std::size_t row = 0; row < log.rows(); ++row) {
     if (!std::isnan(log.position_rad[row])) log.position_rad[row] = run[kPositionSignal][row];
-    if (std::isfinite(log.load[row])) log.load[row] = std::round(run[kLoadSignal][row] * kLoadSteps) / kLoadSteps;
+    if (std::isfinite(log.load[row])) log.load[row] = std::round(run[kLoadSignal][row] / step) * step;
   }
   return log;
 }

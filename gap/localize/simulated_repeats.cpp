@@ -33,10 +33,10 @@ Trajectory asReported(const Trajectory& log, const Trace& trace, double ticks_pe
   Trajectory out = log;
   std::mt19937_64 random{seed};
   std::uniform_real_distribution<double> phase{0, 1};
-  const double tick = 2 * kPi / ticks_per_rev;
+  const double tick = 2 * kPi / ticks_per_rev, load_step = loadStepOf(log);
   for (std::size_t row = 0; row < log.rows(); ++row) {
     if (!std::isnan(log.position_rad[row])) out.position_rad[row] = trace[kPositionSignal][row];
-    if (!std::isnan(log.load[row])) out.load[row] = toStep(trace[kLoadSignal][row], kLoadStep);
+    if (!std::isnan(log.load[row])) out.load[row] = toStep(trace[kLoadSignal][row], load_step);
     if (!std::isnan(log.volt_v[row])) out.volt_v[row] = toStep(trace[kSupplySignal][row], kVoltStep);
     if (std::isnan(log.speed_rad_s[row])) continue;
     // The servo counts whole ticks, not those that it reports.

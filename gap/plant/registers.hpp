@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/servo_limits.hpp"
+#include "gap/case/case.hpp"
 #include "twin/servo/parameters.hpp"
 
 namespace darwinop::gap {
@@ -10,6 +11,9 @@ namespace darwinop::gap {
 inline constexpr double kLoadStep = 0.001, kVoltStep = 0.1, kSpeedStep = kRadPerSecPerCount;
 /// The servo computes its speed from positions this many seconds apart.
 inline constexpr double kSpeedSpan = 0.024;
+
+/// Step of the loads of a log: that of the register, or a coarser one in which they were written.
+double loadStepOf(const Trajectory& log);
 
 /// Standard deviation of one reported position, rad: rounding and noise of the encoder.
 double readingSigma(const twin::ServoParameters& servo);

@@ -42,13 +42,13 @@ BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, con
   BlockResiduals out = samplesOf(log);
   if (!loadIsDutyIn(hypothesis, log)) return out;
   const FirmwareRun run = runFirmware(given, log, hypothesis);
-  const double sigma = readingSigma(hypothesis.servo);
+  const double sigma = readingSigma(hypothesis.servo), load_step = loadStepOf(log);
   for (std::size_t row = 1; row < log.rows(); ++row) {
     const std::size_t commands = run.row[run.last[row]];
     if (log.torque_on[commands] == 0 || std::isnan(log.position_rad[row])) continue;
     const auto i = static_cast<Eigen::Index>(row);
     const double gain = hypothesis.servo.duty_per_kp_per_rad * log.pRegisterAt(commands);
-    const double reading = std::hypot(gain * sigma, kLoadStep * kOfAStep);
+    const double reading = std::hypot(gain * sigma, load_step * kOfAStep);
     out.residual[i] = log.load[row] - run.duty[run.last[row]];
     // The period of a load is known to one period only, and a row may be read late by as much.
     const double rate = (log.load[row] - log.load[row - 1]) / (log.time_s[row] - log.time_s[row - 1]);

@@ -4,6 +4,7 @@
 #include "gap/fit/jacobian.hpp"
 #include "gap/fit/servo_range.hpp"
 #include "gap/fit/solve.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/small_case.hpp"
 
 namespace darwinop::gap {
@@ -87,6 +88,16 @@ TEST(Noise, UnknownSamplesHaveNoPartInTheDeterminant) {
   const RmsSum floor = evidenceOf(plantOf(bench), bench, baselineOf(bench)).noise[0].positionFloor();
   EXPECT_EQ(floor.rows, static_cast<double>(bench.logs[0].rows() - half));
   EXPECT_LT(floor.rms(), 0.01);
+}
+
+TEST(Noise, LoadsOfWholePercentAreKnownToThat) {
+  Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
+  EXPECT_NEAR(loadStepOf(bench.logs[0]), kLoadStep, 1e-9);
+  const double fine = share(residualsOf(bench));
+  for (Trajectory& log : bench.logs)
+    for (double& load : log.load) load = std::round(load * 100) / 100;
+  EXPECT_NEAR(loadStepOf(bench.logs[0]), 0.01, 1e-9);
+  EXPECT_LT(share(residualsOf(bench)), 1.2 * fine) << "rounding is noise, not a gap";
 }
 
 TEST(Noise, TheFloorIsAtLeastWhatTheEncoderRounds) {
