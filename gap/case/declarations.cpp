@@ -115,6 +115,7 @@ twin::ServoParameters Declarations::servoFrom(twin::ServoParameters servo, std::
     if (const auto found = servo_.find(std::string{key.json}); found != servo_.end())
       servo.*key.member = numberIn(found->first, found->second);
   servo.back_emf_vs_rad = servo.kt_nm_a;
+  if (!servo_.contains("armature_kgm2")) warnings.emplace_back(messages::kArmatureAssumed);
   return servo;
 }
 

@@ -10,11 +10,14 @@ double stallTorque(const twin::ServoParameters& servo) {
   return servo.law == twin::Law::kSpeedP ? servo.torque_max_nm : servo.kt_nm_a * servo.supply_v / servo.resistance_ohm;
 }
 
-/// By the dimension of the parameter.
-double inProportion(double stall, std::string_view unit) {
+/// Factor on a parameter of this part and dimension.
+double inProportion(const twin::ServoParameters& servo, twin::LoopPart part, std::string_view unit) {
+  const twin::ServoParameters usual;
+  if (unit == "kg m2") return servo.armature_kgm2 / usual.armature_kgm2;
+  if (part != twin::LoopPart::kFriction) return 1;
+  const double stall = stallTorque(servo) / stallTorque(usual);
   if (unit == "N m" || unit == "N m s/rad") return stall;
-  if (unit == "1/(N m)") return 1 / stall;
-  return 1;
+  return unit == "1/(N m)" ? 1 / stall : 1;
 }
 
 }  // namespace
@@ -22,11 +25,9 @@ double inProportion(double stall, std::string_view unit) {
 std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, const twin::ServoParameters& servo, bool refined,
                                 const Place& place) {
   std::vector<Unknown> unknowns = unknownsOf(info, refined, place);
-  if (info.part != twin::LoopPart::kFriction) return unknowns;
-  const double stall = stallTorque(servo) / stallTorque({});
   for (Unknown& unknown : unknowns) {
     const auto& parameter = std::get<EffectParameter>(unknown.what);
-    const double factor = inProportion(stall, info.parameters[parameter.index].unit);
+    const double factor = inProportion(servo, info.part, info.parameters[parameter.index].unit);
     unknown.low *= factor, unknown.high *= factor, unknown.expected *= factor;
   }
   return unknowns;

@@ -8,7 +8,7 @@
 namespace darwinop::gap {
 
 /// As unknownsOf() without a servo, but friction is proportional to the stall torque: a gear that is made for ten times
-/// the torque has ten times the friction.
+/// the torque has ten times the friction; and an error of the armature is to the armature.
 std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, const twin::ServoParameters& servo, bool refined = false,
                                 const Place& place = {});
 

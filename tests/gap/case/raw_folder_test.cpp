@@ -163,6 +163,17 @@ TEST_F(RawFolderTest, AnotherMotorIsDeclaredInFull) {
   EXPECT_THAT(declaring({sheet, gain}), HasSubstr("stall_A"));
 }
 
+TEST_F(RawFolderTest, TheArmatureOfAnotherServoIsNoted) {
+  write(folder / "a.json", bamText(zero, zero));
+  const auto warningsFor = [&](std::vector<std::string> words) {
+    for (const char* const one : {"stall_Nm_at_12V=8.4", "stall_A_at_12V=5.2", "duty_per_kp_per_rad=0.158"})
+      words.emplace_back(one);
+    return readRawFolder({.folder = folder / "", .model = "", .declared = words, .held_out = {}}).given.warnings;
+  };
+  EXPECT_THAT(warningsFor({}), Contains(HasSubstr(messages::kArmatureAssumed)));
+  EXPECT_THAT(warningsFor({"armature_kgm2=0.02"}), testing::Not(Contains(HasSubstr(messages::kArmatureAssumed))));
+}
+
 TEST_F(RawFolderTest, FalseReadingsStayUntilTheWrittenCaseIsRead) {
   std::vector<CsvRow> rows = sineRows();
   rows[100].pos += 1;

@@ -34,6 +34,16 @@ TEST(SearchRange, OfFrictionGrowsWithTheServo) {
   EXPECT_DOUBLE_EQ(high("load_dependent_friction", strong), high("load_dependent_friction", {}));
 }
 
+TEST(SearchRange, OfAnArmatureGrowsWithIt) {
+  twin::ServoParameters large;
+  large.armature_kgm2 *= 10;
+  const Unknown usual = unknownsOf(*twin::findEffect("inertia"), twin::ServoParameters{}).front(),
+                wide = unknownsOf(*twin::findEffect("inertia"), large).front();
+  EXPECT_DOUBLE_EQ(usual.low, unknownsOf(*twin::findEffect("inertia")).front().low);
+  EXPECT_DOUBLE_EQ(wide.low, 10 * usual.low);
+  EXPECT_DOUBLE_EQ(wide.high, 10 * usual.high);
+}
+
 TEST(Nuisances, EveryPriorThatACaseMayHaveMovesANumber) {
   Case bench = smallBench();
   bench.logs[1].arm_mass_kg = 0.06;
