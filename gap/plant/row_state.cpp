@@ -14,6 +14,10 @@ RowState stateAt(const Trajectory& log, std::size_t row) {
   std::size_t from = row, to = row;
   while (from > 0 && log.time_s[row] - log.time_s[from - 1] <= half) --from;
   while (to + 1 < log.rows() && log.time_s[to + 1] - log.time_s[row] <= half) ++to;
+  while (to - from < 2 && to - from + 1 < log.rows()) {  // rows that are far apart: three make a parabola
+    if (from > 0) --from;
+    if (to + 1 < log.rows()) ++to;
+  }
   const double about_rad = knownPosition(log, row);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();

@@ -59,6 +59,12 @@ TEST(RollOut, ALogMayBeginInMotion) {
   EXPECT_EQ(speedAtBegin(bench.logs[0]), 0) << "a step from rest";
 }
 
+TEST(StateAt, RowsThatAreFarApartHaveASpeed) {
+  Trajectory log;
+  for (int row = 0; row < 9; ++row) log.time_s.push_back(0.06 * row), log.position_rad.push_back(0.3 * 0.06 * row);
+  for (const std::size_t row : {0U, 4U, 8U}) EXPECT_NEAR(stateAt(log, row).speed_rad_s, 0.3, 0.01) << row;
+}
+
 TEST(RollOut, AGoalActsBetweenItsWriteAndTheReadOfItsRow) {
   Case bench = smallBench();
   Trajectory& log = bench.logs[0];
