@@ -67,7 +67,7 @@ void findUsedRows(const logs::Log& recording, const experiments::Pose& pose, dou
   for (std::size_t row = to; row-- > from;)
     if (recording.seconds(row) - recording.seconds(from) >= kHeld) made.from_s = recording.seconds(row);
   made.to_s = held_until + phases_s;
-  made.session_s += made.from_s;
+  made.session_s += made.from_s - recording.seconds(0);  // the clock is the computer's
   std::vector<double> volts;
   const logs::Column& board = recording.column("board.voltage");
   for (std::size_t row = from; row < to; ++row) volts.push_back(board.values[row]);

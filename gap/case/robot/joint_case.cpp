@@ -27,7 +27,7 @@ struct Part {
   std::string source, file, kind;
   bool held_out;
   AlonePart what;
-  double begins_s;  // the session's clock at the recording's start
+  double zero_s;  // the session's clock where that of the recording, which is the computer's, is 0
   twin::JointPendulum pendulum;
 };
 
@@ -53,7 +53,7 @@ std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& mo
     const fs::path path{file};
     for (const AlonePart& one : found)
       parts.push_back({file, path.filename().string(), log.headValue("experiment").value_or(path.stem().string()),
-                       held_out, one, session_s,
+                       held_out, one, session_s - log.seconds(0),
                        twin::pendulumOf(model, request.joint, one.angles_rad, one.accel_m_s2)});
     session_s += log.seconds(log.rows() - 1) - log.seconds(0);
   };
@@ -93,7 +93,7 @@ Json logOf(const Part& part, Joint joint, double length_m) {
           {"to_s", part.what.to_s},
           {"hangs_at_rad", part.pendulum.hangs_at_rad},
           {"payload_kg", payload},
-          {"t0_session_s", part.begins_s + part.what.from_s}};
+          {"t0_session_s", part.zero_s + part.what.from_s}};
 }
 
 }  // namespace

@@ -79,6 +79,15 @@ TEST(UsedRows, BeginOneSecondAfterThePoseIsHeldAndEndWithThePhases) {
   EXPECT_DOUBLE_EQ(made.battery_v, 11.9);
 }
 
+// The recording's clock is that of the computer: it was not started with the first recording.
+TEST(UsedRows, TheSessionGoesOnFromTheFirstRowNotFromTheClocksZero) {
+  const experiments::Pose& pose = experiments::startPose();
+  MadeRecording made = madeOf({0, 1, 0});
+  made.session_s = 120;
+  findUsedRows(logs::parseLog(goalsText(50, 100, 200, pose), "up.csv"), pose, 2.0, made);
+  EXPECT_NEAR(made.session_s, 120 + 0.016 * 50 + 1, 0.02);
+}
+
 TEST(UsedRows, APoseThatIsNeverHeldIsAnError) {
   const experiments::Pose& pose = experiments::startPose();
   MadeRecording made = madeOf({0, 1, 0});

@@ -25,7 +25,8 @@ std::string nameOf(std::size_t joint) {
 }
 
 /// What the runtime would have recorded of the twin: the right arm is stretched, swings at the shoulder, and goes limp.
-std::string recordedSwing() {
+/// `began_s`: of the recording's clock.
+std::string recordedSwing(double began_s = 0) {
   twin::RobotBody body{twin::readModel(twin::findModel("darwin-op"))};
   Drives drives;
   for (std::size_t i = 0; i < kJoints; ++i)
@@ -48,7 +49,7 @@ std::string recordedSwing() {
   for (int cycle = 1; cycle * kRowTime < 8; ++cycle) {
     const double t = cycle * kRowTime;
     const BodyState& state = body.state();
-    text += std::to_string(t) + "," + std::to_string(cycle) + ",11.8";
+    text += std::to_string(began_s + t) + "," + std::to_string(cycle) + ",11.8";
     for (const double accel : state.accel_m_s2) text += number(accel);
     const double share = std::min(t / 1.5, 1.0);  // to the pose
     drives[index(Joint::kArmUpperR)].goal_rad = share * -0.65;
@@ -91,6 +92,18 @@ TEST_F(JointCase, OfTheTwinIsSimulatedAsItMoved) {
   for (std::size_t row = 0; row < trace[kPositionSignal].size(); ++row)
     sum += std::pow(trace[kPositionSignal][row] - made.logs[0].position_rad[row], 2);
   EXPECT_LT(std::sqrt(sum / static_cast<double>(trace[kPositionSignal].size())), 0.003) << "two steps of the encoder";
+}
+
+// The clock of a recording is the computer's, which may have run for days.
+TEST_F(JointCase, ASessionBeginsWithItsFirstRecording) {
+  constexpr double kDays = 2e5;  // s
+  std::ofstream{file("first.csv")} << recordedSwing(kDays);
+  std::ofstream{file("second.csv")} << recordedSwing(kDays + 60);
+  writeJointCase({.recordings = {file("first.csv"), file("second.csv")}, .held_out = {}}, file("case"));
+  const Case made = readCase(file("case"));
+  ASSERT_EQ(made.logs.size(), 2U);
+  EXPECT_NEAR(made.logs[0].session_start_s, 1.5, 0.1);
+  EXPECT_NEAR(made.logs[1].session_start_s, 8 + 1.5, 0.1);
 }
 
 TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {
