@@ -1,4 +1,7 @@
 // Nodes of a PROTO and of its world, with the numbers of the model.
+#include <algorithm>
+
+#include "core/registers.hpp"
 #include "gap/export/body/body_texts.hpp"
 #include "twin/body/imu_axes.hpp"
 
@@ -25,14 +28,16 @@ std::string jointOf(std::string_view name, const WebotsFields& f, double armatur
          "\n}\n" + (f.gap > 0 ? "# HingeJointWithBacklash: gap " + shortest(f.gap) + "\n" : "");
 }
 
-/// Of -range to range, as it is.
-std::string sensorOf(const char* node, double range, const twin::MountingQuaternion& mounted) {
+/// Its register's counts, as controllers of the simulator expect them: 512 is zero; it saturates at the ends of the
+/// register, or earlier at `range`.
+std::string sensorOf(const char* node, const Register& counts, double range, const twin::MountingQuaternion& mounted) {
   mjtNum axis[3];
   mju_quat2Vel(axis, mounted.data(), 1);
   const mjtNum angle = mju_normalize3(axis);
-  const std::string end = shortest(range);
-  return std::string{node} + " {  # rotation: of the sensor's axes in the trunk\n  rotation " + threeNumbers(axis) +
-         " " + shortest(angle) + "\n  lookupTable [ -" + end + " -" + end + " 0, " + end + " " + end + " 0 ]\n}\n";
+  const double end = std::min(range, counts.zero * counts.scale), most = end / counts.scale;
+  return std::string{node} + " {  # rotation: of the sensor's axes in the trunk; lookupTable: SI units to counts\n" +
+         "  rotation " + threeNumbers(axis) + " " + shortest(angle) + "\n  lookupTable [ " + shortest(-end) + " " +
+         shortest(counts.zero - most) + " 0, " + shortest(end) + " " + shortest(counts.zero + most) + " 0 ]\n}\n";
 }
 
 std::string worldOf(const BodyText& of) {
@@ -57,8 +62,9 @@ std::string webotsBody(const BodyText& of, const std::vector<std::string>& comme
   for (std::size_t i = 0; i < kJoints; ++i)
     text += jointOf(kJointTable[i].name, webotsFields(of.servos[i]), of.servos[i].armature_kgm2);
   const twin::ImuSettings& imu = of.model.imu;
-  text += sensorOf("Gyro", imu.gyro_range_rad_s, twin::mountedAt(of.body.site_quat + 4 * of.map.gyro, imu));
-  text += sensorOf("Accelerometer", imu.accel_range_m_s2,
+  constexpr const Register &kGyro = find(kCm730, "gyro_x"), &kAccel = find(kCm730, "accel_x");
+  text += sensorOf("Gyro", kGyro, imu.gyro_range_rad_s, twin::mountedAt(of.body.site_quat + 4 * of.map.gyro, imu));
+  text += sensorOf("Accelerometer", kAccel, imu.accel_range_m_s2,
                    twin::mountedAt(of.body.site_quat + 4 * of.map.accelerometer, imu));
   return text + worldOf(of);
 }

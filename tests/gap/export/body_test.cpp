@@ -2,8 +2,12 @@
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <sstream>
 
+#include "core/registers.hpp"
 #include "gap/export/body/body_export.hpp"
 #include "gap/export/body/body_holds.hpp"
 #include "gap/export/texts.hpp"
@@ -82,6 +86,31 @@ TEST(BodyForWebotsAndUrdf, HaveNumbersOfEachLinkAndJoint) {
   EXPECT_THAT(webots.text, HasSubstr("Turn the floor by 0 rad about the world's x (forward), then by 0.04 rad"));
   EXPECT_THAT(urdf.lost, Contains(HasSubstr("[body] floor_tilt_y = 0.04 rad")));
   EXPECT_THAT(webots.lost, Not(Contains(HasSubstr("floor_tilt"))));
+}
+
+/// What Webots returns for a measured value: rows of value, count, noise; between them a line, beyond them the ends.
+double countOf(double value, const std::string& text, const std::string& node) {
+  const std::string table = "lookupTable [ ";
+  double low = 0, least = 0, noise = 0, high = 0, most = 0;
+  char comma = 0;
+  std::istringstream rows{text.substr(text.find(table, text.find("\n" + node + " {")) + table.size())};
+  rows >> low >> least >> noise >> comma >> high >> most;
+  return std::lerp(least, most, std::clamp((value - low) / (high - low), 0.0, 1.0));
+}
+
+// As getLookupTable() of the runtime, and the simulator's own robot.
+TEST(BodyForWebots, SensorsReturnTheCountsThatControllersExpect) {
+  const std::string shipped = exportBody(Target::kWebots, robotWith(""), {}).text;
+  const double per_count = find(kCm730, "gyro_x").scale;
+  EXPECT_NEAR(countOf(0, shipped, "Gyro"), 512, 1e-9);
+  EXPECT_NEAR(countOf(100 * per_count, shipped, "Gyro"), 612, 1e-9);
+  EXPECT_NEAR(countOf(1000 * per_count, shipped, "Gyro"), 1024, 1e-9);
+  EXPECT_NEAR(countOf(0, shipped, "Accelerometer"), 512, 1e-9);
+  EXPECT_NEAR(countOf(kGravity, shipped, "Accelerometer"), 640, 1e-9);
+
+  const std::string less = exportBody(Target::kWebots, robotWith("[imu]\naccel_range = 19.6133 m/s2\n"), {}).text;
+  EXPECT_NEAR(countOf(kGravity, less, "Accelerometer"), 640, 1e-9);
+  EXPECT_NEAR(countOf(-3 * kGravity, less, "Accelerometer"), 512 - 256, 1e-9) << "saturates at 2 g";
 }
 
 TEST(BodyLosses, NameWhatIsNotHeldAndTheJointsOfAnEffect) {
