@@ -11,6 +11,14 @@ twin::LinkInertia BodyText::link(std::size_t link) const {
   return twin::inertiaOfLink(body, link == twin::kTrunkLink ? map.trunk : map.link[link]);
 }
 
+std::array<double, 4> BodyText::atZero(std::size_t joint) const {
+  // A hinge of MuJoCo turns its link by q - qpos0.
+  std::array<double, 4> back{}, out{};
+  mju_axisAngle2Quat(back.data(), body.jnt_axis + 3 * body.dof_jntid[map.dof[joint]], -body.qpos0[map.qpos[joint]]);
+  mju_mulQuat(out.data(), body.body_quat + 4 * map.link[joint], back.data());
+  return out;
+}
+
 std::string threeNumbers(const double* values) {
   return shortest(values[0]) + " " + shortest(values[1]) + " " + shortest(values[2]);
 }

@@ -1,6 +1,7 @@
 #include "gap/export/body/body_holds.hpp"
 
 #include <memory>
+#include <optional>
 
 #include "gap/plant/hypothesis.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -18,6 +19,11 @@ constexpr Holding kOfSimulator = lost("it belongs to the simulator that reads th
 constexpr Holding kNoSensor = lost("the format has no sensor; set it in the program that reads the file");
 constexpr Holding kInProgram = lost("its sensor is ideal in this; change the readings in the controller");
 constexpr Holding kRelativeNoise = lost("the noise of a lookupTable is a share of the value; add it in the controller");
+constexpr Holding kNoJointSensors = lost("no sensors of joints are written");
+constexpr Holding kArmatureBeside =
+    lost("it is a comment at each joint; add it to the link's inertia, which then also resists other joints");
+constexpr Holding kTurnedLink =
+    approximated("rotation of the joint's endPoint; add the offset to minPosition and maxPosition of its motor, too");
 constexpr Holding kOneHinge = lost("the body has one hinge a joint");
 constexpr Holding kNoBattery = lost("it has no supply voltage");
 constexpr Holding kNoHolding = lost("a motor without a command is limp");
@@ -70,9 +76,21 @@ constexpr KeyHolding kKeys[] = {
 /// Of a number of the servo, where the file of a body differs from that of one joint.
 Holding holdingInBody(const HoldingRow& row, Target target) {
   const Holding of_joint = row.of(target);
-  if (row.what == kEncoderSteps) return lost("no sensors of joints are written");
-  if (row.what == kArmature && of_joint.fate == Fate::kApproximated)
-    return lost("it is a comment at each joint; add it to the link's inertia, which then also resists other joints");
+  if (row.what == kEncoderSteps) return kNoJointSensors;
+  if (row.what == kArmature && of_joint.fate == Fate::kApproximated) return kArmatureBeside;
+  return of_joint;
+}
+
+/// Likewise of an effect, by what it does to a servo.
+Holding holdingInBody(const twin::EffectSetting& effect, const twin::ServoParameters& parameters, Target target) {
+  std::vector<std::unique_ptr<twin::Effect>> alone;
+  alone.push_back(effect.info->make(effect.values));
+  const twin::Servo servo{parameters, std::move(alone)};
+  const Holding of_joint = holdingOf(*effect.info).of(target);
+  if (target == Target::kMujoco && servo.softGear()) return kOneHinge;
+  if (twin::indexOf(*effect.info, twin::ParameterRole::kEncoderTicks)) return kNoJointSensors;
+  if (of_joint.fate == Fate::kApproximated && servo.load().armature_kgm2 != 0) return kArmatureBeside;
+  if (target == Target::kWebots && servo.load().angle_offset_rad != 0) return kTurnedLink;
   return of_joint;
 }
 
@@ -103,17 +121,14 @@ void addBodyLosses(Target target, const twin::Model& model, Export& out) {
     if (row.applies(servo)) addLoss(target, std::string{row.what}, holdingInBody(row, target), out);
   for (const twin::EffectInfo* const info : twin::catalogue()) {
     std::string joints;
-    bool is_soft = false;
+    std::optional<Holding> holding;
     for (const twin::EffectSetting& effect : model.effects) {
       if (effect.info != info) continue;
       joints += (joints.empty() ? "" : ", ") + (effect.joint ? std::string{row(*effect.joint).name} : "all joints");
-      std::vector<std::unique_ptr<twin::Effect>> alone;
-      alone.push_back(info->make(effect.values));
-      is_soft = is_soft || twin::Servo{model.servo, std::move(alone)}.softGear();
+      const Holding here = holdingInBody(effect, model.servo, target);
+      if (!holding || here.fate > holding->fate) holding = here;
     }
-    if (joints.empty()) continue;
-    const Holding holding = is_soft && target == Target::kMujoco ? kOneHinge : holdingOf(*info).of(target);
-    addLoss(target, std::string{info->id} + " (" + joints + ")", holding, out);
+    if (holding) addLoss(target, std::string{info->id} + " (" + joints + ")", *holding, out);
   }
 }
 

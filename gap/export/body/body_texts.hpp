@@ -1,6 +1,7 @@
 // Writers of a whole robot in the three formats.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct BodyText {
   std::vector<ServoNumbers> servos;  // by joint
 
   [[nodiscard]] twin::LinkInertia link(std::size_t link) const;
+  /// Orientation of a joint's link in its parent where the encoder reads 0: w x y z. An encoder offset turns it.
+  [[nodiscard]] std::array<double, 4> atZero(std::size_t joint) const;
 };
 
 std::string mujocoBody(const BodyText& of, const std::vector<std::string>& comments);

@@ -7,7 +7,7 @@ namespace darwinop::gap {
 namespace {
 
 /// Roll, pitch, yaw: about the fixed x, then y, then z.
-Eigen::Vector3d rpyOf(const mjtNum* quat) {
+Eigen::Vector3d rpyOf(const std::array<double, 4>& quat) {
   const Eigen::Vector3d turned =
       Eigen::Quaterniond{quat[0], quat[1], quat[2], quat[3]}.toRotationMatrix().eulerAngles(2, 1, 0);
   return {turned.z(), turned.y(), turned.x()};
@@ -33,7 +33,7 @@ std::string urdfBody(const BodyText& of, const std::vector<std::string>& comment
     const int body = of.map.link[i];
     text += xmlComments({"armature: " + shortest(of.servos[i].armature_kgm2) + " kg m2"}, "  ");
     text += "  <joint name=\"" + std::string{kJointTable[i].name} + "\" type=\"revolute\">\n    <origin xyz=\"" +
-            threeNumbers(m.body_pos + 3 * body) + "\" rpy=\"" + threeNumbers(rpyOf(m.body_quat + 4 * body).data()) +
+            threeNumbers(m.body_pos + 3 * body) + "\" rpy=\"" + threeNumbers(rpyOf(of.atZero(i)).data()) +
             "\"/>\n    <parent link=\"" + mj_id2name(&m, mjOBJ_BODY, parent) + "\"/>\n    <child link=\"" +
             std::string{twin::linkName(i)} + "\"/>\n    <axis xyz=\"" + threeNumbers(m.jnt_axis + 3 * joint) +
             "\"/>\n    <dynamics" + attribute("damping", fields.damping) + attribute("friction", fields.friction) +

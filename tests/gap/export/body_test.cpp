@@ -3,17 +3,13 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "core/registers.hpp"
-#include "gap/export/body/body_export.hpp"
-#include "gap/export/body/body_holds.hpp"
+#include "gap/export/body_rig.hpp"
 #include "gap/export/texts.hpp"
-#include "support/temporary_folder.hpp"
-#include "twin/body/mujoco_model.hpp"
-#include "twin/model/keys.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -21,21 +17,6 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-
-/// The shipped robot with these lines.
-twin::Model robotWith(const std::string& lines) {
-  return twin::parseModel("[model]\nname = robot\n" + lines, "robot.ini");
-}
-
-twin::MjModelPtr loadedByMujoco(const std::string& xml) {
-  const TemporaryFolder folder;
-  const std::string path = folder / "robot.xml";
-  std::ofstream{path} << xml;
-  char why[500] = "";
-  twin::MjModelPtr model{mj_loadXML(path.c_str(), nullptr, why, sizeof why)};
-  EXPECT_NE(model, nullptr) << why;
-  return model;
-}
 
 TEST(BodyForMujoco, HasTheMassesFloorAndSensorsOfTheModel) {
   const twin::Model model = robotWith(
@@ -83,7 +64,7 @@ TEST(BodyForWebotsAndUrdf, HaveNumbersOfEachLinkAndJoint) {
   const twin::MjModelPtr body = twin::loadBody(model, false);
   EXPECT_THAT(webots.text, HasSubstr("# Solid Body, without the servo's armature\nPhysics {\n  density -1\n  mass " +
                                      shortest(body->body_mass[twin::mapBody(*body, "body").trunk]) + "\n"));
-  EXPECT_THAT(webots.text, HasSubstr("Turn the floor by 0 rad about the world's x (forward), then by 0.04 rad"));
+  EXPECT_THAT(webots.text, HasSubstr("Floor {\n  rotation 0 1 0 0.04\n}"));
   EXPECT_THAT(urdf.lost, Contains(HasSubstr("[body] floor_tilt_y = 0.04 rad")));
   EXPECT_THAT(webots.lost, Not(Contains(HasSubstr("floor_tilt"))));
 }
@@ -113,26 +94,33 @@ TEST(BodyForWebots, SensorsReturnTheCountsThatControllersExpect) {
   EXPECT_NEAR(countOf(-3 * kGravity, less, "Accelerometer"), 512 - 256, 1e-9) << "saturates at 2 g";
 }
 
-TEST(BodyLosses, NameWhatIsNotHeldAndTheJointsOfAnEffect) {
-  const Export made =
-      exportBody(Target::kMujoco,
-                 robotWith("[imu]\ndelay = 0.02 s\n[effect stribeck Neck]\nfriction = 0.05 N m\n"
-                           "speed = 0.2 rad/s\nexponent = 1\n[effect backlash AnkleR]\nplay = 0.01 rad\n"),
-                 {});
-  EXPECT_THAT(made.lost, Contains(HasSubstr("MuJoCo loses [imu] delay = 0.02 s")));
-  EXPECT_THAT(made.lost, Contains(HasSubstr("stribeck (Neck)")));
-  EXPECT_THAT(made.lost, Contains(HasSubstr("backlash (AnkleR)")));
+/// Angle between two orientations of the neck in the trunk, where its encoder reads `one_rad` and `other_rad`.
+double differenceOfNecks(const mjModel& one, double one_rad, const mjModel& other, double other_rad) {
+  const auto neckAt = [](const mjModel& m, double angle_rad) {
+    const twin::MjDataPtr d = twin::dataFor(m, "robot");
+    d->qpos[m.jnt_qposadr[mj_name2id(&m, mjOBJ_JOINT, "Neck")]] = angle_rad;
+    mj_kinematics(&m, d.get());
+    const int trunk = std::max(0, mj_name2id(&m, mjOBJ_BODY, "Body"));  // of a URDF it is the world
+    std::array<mjtNum, 4> back{}, out{};
+    mju_negQuat(back.data(), d->xquat + 4 * trunk);
+    mju_mulQuat(out.data(), back.data(), d->xquat + 4 * mj_name2id(&m, mjOBJ_BODY, "Neck"));
+    return out;
+  };
+  const auto a = neckAt(one, one_rad), b = neckAt(other, other_rad);
+  return 2 * std::acos(std::min(1.0, std::abs(mju_dot(a.data(), b.data(), 4))));
 }
 
-// A new key of a model file needs a row.
-TEST(KeyHoldings, HaveARowForEachKeyOfLinksBodyAndSensors) {
-  for (const twin::KeyRow& key : twin::keyTable()) {
-    const std::string_view kind = key.section.substr(0, key.section.find(' '));
-    if (kind == "model" || kind == "servo" || key.key == "xml") continue;
-    const auto all = keyHoldings();
-    EXPECT_TRUE(
-        std::ranges::any_of(all, [&](const KeyHolding& row) { return row.section == kind && row.row.what == key.key; }))
-        << kind << ' ' << key.key;
+TEST(BodyForMujocoAndUrdf, AnEncoderOffsetTurnsTheLinkAndLeavesItsStops) {
+  const twin::MjModelPtr straight = twin::loadBody(robotWith(""), false);
+  const twin::Model model = robotWith("[effect encoder_offset Neck]\noffset = 0.1 rad\n");
+  for (const auto& [target, suffix] : {std::pair{Target::kMujoco, ".xml"}, std::pair{Target::kUrdf, ".urdf"}}) {
+    const twin::MjModelPtr off = loadedByMujoco(exportBody(target, model, {}).text, suffix);
+    ASSERT_NE(off, nullptr);
+    EXPECT_LT(differenceOfNecks(*straight, 0, *off, 0.1), 1e-3) << suffix;
+    EXPECT_LT(differenceOfNecks(*straight, 0.3, *off, 0.4), 1e-3) << suffix;
+    const int was = mj_name2id(straight.get(), mjOBJ_JOINT, "Neck"), is = mj_name2id(off.get(), mjOBJ_JOINT, "Neck");
+    for (int end = 0; end < 2; ++end)
+      EXPECT_NEAR(off->jnt_range[2 * is + end], straight->jnt_range[2 * was + end] + 0.1, 1e-5) << suffix;
   }
 }
 
