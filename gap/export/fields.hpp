@@ -16,7 +16,7 @@ struct WebotsFields {
   double resolution = -1;                            // of the sensor; -1: none
 };
 
-/// One hinge, one more for play or flex behind it, and two actuators: the controller, and the back EMF, which no
+/// One hinge, one more for play or flex behind it (flex, where it has both), and two actuators: the controller, and the back EMF, which no
 /// forcerange may cut.
 struct MujocoFields {
   double timestep = 0.002;

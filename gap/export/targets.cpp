@@ -29,6 +29,17 @@ std::string described(const twin::EffectSetting& effect) {
   return std::string{effect.info->id} + " (" + text + ")";
 }
 
+/// Of one effect of a hypothesis: a second hinge of MuJoCo that bends has no play.
+Holding holdingIn(const Hypothesis& hypothesis, const PlacedEffect& effect, Target target,
+                  const Conditions& conditions) {
+  constexpr Holding kNoThirdHinge = twin::lost("the second hinge is the flex, and the play would take a third one");
+  Hypothesis alone = hypothesis;
+  alone.effects = {effect};
+  const bool bends = std::isfinite(numbersOf(hypothesis, conditions).flex_nm_rad);
+  if (target == Target::kMujoco && bends && numbersOf(alone, conditions).play_rad > 0) return kNoThirdHinge;
+  return holdingOf(*effect.info).of(target);
+}
+
 std::string write(Target target, const JointText& joint) {
   switch (target) {
     case Target::kWebots:
@@ -99,8 +110,9 @@ Export exportTo(Target target, const Hypothesis& hypothesis, const ExportSetting
   Export out;
   for (const HoldingRow& row : numberHoldings())
     if (row.applies(hypothesis)) addLoss(target, std::string{row.what}, row.of(target), out);
-  for (const twin::EffectSetting& effect : hypothesis.effects)
-    if (!isNeutral(effect)) addLoss(target, described(effect), holdingOf(*effect.info).of(target), out);
+  for (const PlacedEffect& effect : hypothesis.effects)
+    if (!isNeutral(effect))
+      addLoss(target, described(effect), holdingIn(hypothesis, effect, target, settings.conditions()), out);
 
   JointText joint{.settings = settings,
                   .servo = numbersOf(hypothesis, settings.conditions()),

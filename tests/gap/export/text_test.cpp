@@ -1,6 +1,7 @@
 // The exported files are well formed, with the model's numbers to the last bit.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "core/text/number_text.hpp"
@@ -91,6 +92,16 @@ TEST(ExportText, MujocoNumbersComeBackToTheLastBit) {
   EXPECT_EQ(number(attributeIn(xml, "joint ", "armature")), servo.armature_kgm2);
   EXPECT_EQ(number(attributeIn(xml, "general name=\"ArmUpperR\"", "gainprm")), servo.stiffness_nm_rad);
   EXPECT_EQ(attributeIn(xml, "joint name=\"ArmUpperR_play\"", "range"), "-0.00615 0.00615");
+}
+
+TEST(ExportText, MujocoWritesThePlayOfABendingJointOrNamesItAsLost) {
+  Believed model;
+  model.with("backlash", "play", 0.02).with("joint_flex", "stiffness", 30).with("joint_flex", "damping", 0.02);
+  const Export made = exportTo(Target::kMujoco, model.get(), forArm());
+  const bool is_lost = std::ranges::any_of(
+      made.lost, [](const std::string& sentence) { return sentence.find("loses backlash") != sentence.npos; });
+  EXPECT_NE(made.text.find("_play\"") != made.text.npos, is_lost) << testing::PrintToString(made.lost);
+  EXPECT_THAT(made.text, HasSubstr("_flex\""));
 }
 
 TEST(ExportText, UrdfNumbersComeBackToTheLastBit) {
