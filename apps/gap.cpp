@@ -121,7 +121,7 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   makes->add_option("--from-csv", given.from_csv, "a folder with CSVs, in place of recordings");
   makes->add_option("--to-bam", given.to_bam, "a case whose logs are written as logs of BAM");
   raw(makes);
-  makes->add_option("--joint", given.joint, "the joint that moved")->capture_default_str();
+  makes->add_option("--joint", given.joint, "the joint that moved")->default_str(gap::kUsualJoint);
   makes->add_option("--model", given.model, "a model file or the name of a shipped model; else darwin-op");
   out(makes, "folder for the case")->required();
   CLI::App* const records =
@@ -135,7 +135,7 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   CLI::App* const plan = on_case(add("plan", "the most informative next experiment, docs/gap/plan.md", gap::planNext));
   plan->add_option("--against", given.against,
                    "ID,ID: effects to separate; default: what an identification leaves open");
-  plan->add_option("--joint", given.joint, "that swings the arm")->capture_default_str();
+  plan->add_option("--joint", given.joint, "that swings the arm")->default_str(gap::kUsualJoint);
   plan->add_option("--hangs-at", given.hangs_at_rad, "rad: angle of the joint where the arm hangs; known for the arms");
   plan->add_option("--write", given.write, "folder for the best ones, for darwinop experiment run");
   json(plan);

@@ -77,10 +77,11 @@ int runBody(const Arguments& given) {
 }
 
 int addToBody(const Arguments& given) {
+  if (given.results.empty() || !given.effects.empty())
+    throw std::runtime_error(
+        "add needs report.json of a run for a whole robot, and no --effect, as in darwinop gap add CASE "
+        "gap-report/CASE/report.json");
   const BodyCase read = readBody(given);
-  if (given.results.empty())
-    throw std::runtime_error("add needs report.json of a run for a whole robot, as in darwinop gap add CASE " +
-                             std::string{"gap-report/CASE/report.json"});
   const std::string before = modelText(given, read);
   const BodyAdditions added = bodyAdditionsIn(textOf(given.results), given.results, read.name, read.joints.model);
   const std::string text = withAdditions(before, added.additions);

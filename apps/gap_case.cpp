@@ -56,7 +56,7 @@ int makeCase(const Arguments& given) {
   if (given.recordings.empty()) throw std::runtime_error("give recordings, or --from-bam FOLDER, or --from-csv FOLDER");
   JointCaseRequest request;
   if (!given.model.empty()) request.model = given.model;
-  request.joint = jointCalled(given.joint);
+  request.joint = jointCalled(given.jointOrUsual());
   request.recordings = given.recordings;
   request.held_out = given.held_out;
   for (const std::string& sentence : writeJointCase(request, given.out)) std::cout << sentence << '\n';

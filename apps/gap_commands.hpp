@@ -10,6 +10,8 @@
 
 namespace darwinop::gap {
 
+inline constexpr const char* kUsualJoint = "ShoulderR";
+
 struct Arguments {
   std::string folder;  // a case, or of cases
   std::string out;     // file or folder to write
@@ -33,7 +35,7 @@ struct Arguments {
   std::string results, key;            // to score
   bool table = false;                  // of cases, in place of a score
   std::string against;                 // to plan for: ids of effects, with commas; empty: from the identification
-  std::string joint = "ShoulderR";     // that swings the arm in planned experiments
+  std::string joint;                   // that swings the arm; empty: kUsualJoint
   std::optional<double> hangs_at_rad;  // its angle where the arm hangs; nothing: as the robot's arms do
   std::string write;                   // folder for planned experiments
   std::vector<std::string> recordings, held_out;  // to make a case of
@@ -43,6 +45,8 @@ struct Arguments {
   std::string robot;                              // to record: as DARWINOP_ROBOT
   bool yes = false, floor = false;                // of a recording
   double at_least = 0;                            // minimum share of fair answers
+
+  [[nodiscard]] std::string jointOrUsual() const { return joint.empty() ? kUsualJoint : joint; }
 };
 
 /// A folder of raw logs without a case.json is made into a case in the folder `into`; notes go to stderr.

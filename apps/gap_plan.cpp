@@ -29,9 +29,9 @@ std::vector<std::string> partsOf(const std::string& list) {
 }  // namespace
 
 int planForBody(const Arguments& given) {
-  if (!given.against.empty() || !given.write.empty() || given.hangs_at_rad)
+  if (!given.against.empty() || !given.write.empty() || given.hangs_at_rad || !given.joint.empty())
     throw std::runtime_error(
-        "--against, --write and --hangs-at are for cases of one servo; leave them out for a whole robot");
+        "--against, --write, --hangs-at and --joint are for cases of one servo; leave them out for a whole robot");
   const BodyCase read = readBodyCase(given.folder);
   const BodyIdentification found = identify(read);
   if (!given.json)
@@ -44,7 +44,7 @@ int planForBody(const Arguments& given) {
 int planNext(const Arguments& given) {
   if (isBodyCase(given.folder)) return planForBody(given);
   const Case read = readCase(given.folder);
-  const ArmSetup stand = armSetupFor(experiments::jointNamed(given.joint), given.hangs_at_rad);
+  const ArmSetup stand = armSetupFor(experiments::jointNamed(given.jointOrUsual()), given.hangs_at_rad);
   const ProgressCallback progress = [&](const std::string& what) {
     if (!given.json) std::cerr << "darwinop gap: " << what << '\n';
   };

@@ -1,7 +1,11 @@
 // Arguments of `darwinop gap`: options count before and behind the name of a command.
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <utility>
+
 #include "support/shell.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -24,6 +28,17 @@ TEST(GapOptions, CountBeforeACommandOfTwoWords) {
 TEST(GapOptions, ThatAreUnknownAreRefusedBeforeTheCommandToo) {
   EXPECT_EQ(shell(kGap + " --jsn locate " + kExample).status, 2);
   EXPECT_EQ(shell(kGap + " --json").status, 2) << "no command";
+}
+
+// They are refused before the case is read as a whole.
+TEST(GapOptions, OfOneServoAreRefusedForAWholeRobot) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "case.json"} << R"({"family": "body"})";
+  for (const auto& [command, option] : {std::pair{" plan ", " --joint"}, std::pair{" add ", " --effect"}}) {
+    const Outcome refused = shell(kGap + command + (folder / "") + option + " ShoulderL");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.said, testing::HasSubstr(option));
+  }
 }
 
 }  // namespace
