@@ -24,6 +24,9 @@ constexpr double kUnitLength = 0.01;  // by which `up` may differ from 1: it is 
 
 const std::vector<std::string_view> kSetups{"stand_clamped", "floor", "lying"};
 
+// The second is how some programs write the first.
+constexpr std::string_view kGyroBias = "imu.gyro_bias_rad_s", kGyroBiasAlias = "imu.bias_rad_s";
+
 /// Keys of `trust`, and the priors of a servo on its own that they stand for.
 struct TrustKey {
   std::string_view key;
@@ -38,20 +41,21 @@ const std::vector<TrustKey>& trustKeys() {
                                            {"friction", {"coulomb.friction", "viscous.damping"}},
                                            {"floor_friction", {}},
                                            {"contact_time", {}},
-                                           {"imu.gyro_bias_rad_s", {}},
+                                           {kGyroBias, {}},
                                            {"imu.accel_bias_m_s2", {}}};
   return kKeys;
 }
 
 void readTrust(Fields trust, BodyCase& into) {
-  if (trust.flag("exact", false)) return trust.finish();
+  if (trust.flag("exact", false)) return trust.finish(into.warnings);
+  if (trust.has(kGyroBiasAlias)) into.trust.emplace(kGyroBias, trust.number(kGyroBiasAlias, kRelativeSigma));
   for (const TrustKey& key : trustKeys()) {
     if (!trust.has(key.key)) continue;
     const double sigma = trust.number(key.key, kRelativeSigma);
-    into.trust.emplace(key.key, sigma);
+    into.trust.insert_or_assign(std::string{key.key}, sigma);
     for (const std::string_view prior : key.priors) into.joints.priors.push_back({std::string{prior}, sigma});
   }
-  trust.finish();
+  trust.finish(into.warnings);
 }
 
 void readUp(Fields& entry, BodyLog& into) {

@@ -64,6 +64,15 @@ TEST(BodyCase, AnErrorNamesTheFileTheLineAndTheField) {
   EXPECT_THAT(good.with("floor.csv", "../floor.csv").error(), HasSubstr(messages::kBeyondFolder));
 }
 
+TEST(BodyCase, APriorOfWhichNothingIsKnownIsLeftOutAndSaid) {
+  const BodyCase c =
+      BodyTexts{}.with("{\"exact\": true}", R"({"body.mass": 0.03, "imu.bias_rad_s": 0.01, "cable": 0.2})").read();
+  EXPECT_EQ(c.sigmaOf("body.mass"), 0.03);
+  EXPECT_EQ(c.sigmaOf("imu.gyro_bias_rad_s"), 0.01) << "another name of the same number";
+  EXPECT_EQ(c.trust.size(), 2u);
+  EXPECT_THAT(c.warnings, ElementsAre(AllOf(HasSubstr("trust.cable"), HasSubstr(messages::kUnknownKey))));
+}
+
 TEST(BodyCase, AServoThatIsSilentForLongIsRefused) {
   SyntheticRobot robot;
   BodyTexts texts{robot};
