@@ -64,11 +64,15 @@ void FloorEvaluator::simulateMissing(const std::vector<FloorSet>& sets) {
   for (const FloorSet& set : sets)
     if (const Key key = keyOf(set); !key.empty() && !traces_.contains(key)) missing.emplace(key, modelOf(set).robot);
   if (missing.empty()) return;
-  if (traces_.size() > kMostTraces) traces_.clear(), simulateMissing(sets);
+  if (traces_.size() > kMostTraces) {
+    traces_.clear();
+    return simulateMissing(sets);
+  }
   std::vector<FloorHypothesis> hypotheses;
   for (const auto& [key, hypothesis] : missing) hypotheses.push_back(hypothesis);
   std::vector<FloorTraces> simulated = residuals_->simulate(hypotheses);
   std::size_t i = 0;
+  simulations_ += hypotheses.size();
   for (const auto& [key, hypothesis] : missing) traces_.insert_or_assign(key, std::move(simulated[i++]));
 }
 

@@ -23,6 +23,8 @@ class FloorEvaluator {
   /// Other noise, same logs: what was simulated stays.
   void useNoiseOf(const FloorResiduals& residuals) { residuals_ = &residuals; }
   [[nodiscard]] Eigen::Index size() const { return residuals_->size(); }
+  /// Models that were simulated so far.
+  [[nodiscard]] std::size_t simulations() const { return simulations_; }
 
  private:
   using Key = std::vector<double>;
@@ -33,6 +35,7 @@ class FloorEvaluator {
   const FloorResiduals* of_base_;  // its base traces are those of `base_`
   FloorModel base_;
   std::map<Key, FloorTraces> traces_;
+  std::size_t simulations_ = 0;
 };
 
 struct FloorFit {
