@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "gap/localize/body/close_by_numbers.hpp"
+#include "gap/plant/body/joint_alone.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -21,13 +22,25 @@ Verdict verdictOf(const BodyIdentification& of) {
   return of.table.not_tested.empty() ? Verdict::kNone : Verdict::kCannotTell;
 }
 
+/// What clamped logs have shown.
+ImuDeviation sensorsOf(const BodyIdentification& found) {
+  ImuDeviation out;
+  for (const SensorSelection& one : found.sensors)
+    (one.sensor == ImuSensor::kGyro ? out.gyro : out.accel) = one.found.deviation;
+  return out;
+}
+
 /// The model with all that clamped logs have shown.
 FloorModel clampedModel(const ClampedRobot& robot, const BodyIdentification& found) {
   std::vector<PlacedMechanics> effects;
   for (const FoundMechanics& one : found.mechanics.found) effects.push_back(one.placed);
-  FloorModel out{.robot = {.robot = with(robot, effects), .floor = {}}};
-  for (const SensorSelection& one : found.sensors)
-    (one.sensor == ImuSensor::kGyro ? out.imu.gyro : out.imu.accel) = one.found.deviation;
+  return {.robot = {.robot = with(robot, effects), .floor = {}}, .imu = sensorsOf(found)};
+}
+
+/// With all that was found.
+FloorModel finalModel(const ClampedRobot& robot, const BodyIdentification& found) {
+  FloorModel out = clampedModel(robot, found);
+  for (const FoundFloor& one : found.floor.found) one.placed.effect->apply(out, one.placed.values);
   return out;
 }
 
@@ -60,6 +73,7 @@ BodyIdentification identify(const BodyCase& given, BodyScope scope) {
   if (scope == BodyScope::kSensors) {
     out.table = localize(given, imu);
     out.sensors = identifySensors(given, imu, out.table);
+    out.held_out = heldOutGapAtRest(given, sensorsOf(out));
   } else {
     out.battery = identifyBattery(given);
     ClampedRobot robot{given, out.battery.has_value()};
@@ -78,6 +92,8 @@ BodyIdentification identify(const BodyCase& given, BodyScope scope) {
     out.table = tableOf(std::move(rows));
     if (!legs_are_explained)
       out.table.not_tested = {"trunk, floor, contact, gyroscope in motion: joints of a leg are not explained"};
+    const FloorModel declared{.robot = {.robot = {bodyBaselineOf(given), {}}, .floor = {}}};
+    out.held_out = heldOutGap(given, declared, finalModel(robot, out));
   }
   out.verdict = verdictOf(out);
   out.runtime_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

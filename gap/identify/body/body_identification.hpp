@@ -9,6 +9,7 @@
 
 #include "gap/identify/body/battery.hpp"
 #include "gap/identify/body/floor_selection.hpp"
+#include "gap/identify/body/held_out_gap.hpp"
 #include "gap/identify/body/mechanics_selection.hpp"
 #include "gap/identify/body/sensor_effect.hpp"
 #include "gap/identify/identification.hpp"
@@ -22,9 +23,6 @@ struct SensorSelection {
   SensorFit found;                // without effects: the model as it is
   std::vector<SensorFit> rivals;  // that the data do not exclude, best first
   bool remains = false;           // what is left is beyond BodyTable::open_from
-  // Rms of mean - expected over the held-out logs with a clamped trunk, and the noise of one reading; NaN: there are
-  // none.
-  double held_out_before = 0, held_out_after = 0, held_out_floor = 0;
 };
 
 /// `imu`: of the case's model. No sensor without a log with a clamped trunk.
@@ -40,6 +38,7 @@ struct BodyIdentification {
   MechanicsSelection mechanics;
   FloorSelection floor;
   BodyTable table;  // its rows of the floor are about what clamped logs have shown
+  HeldOutGap held_out;
   double runtime_s = 0;
 };
 

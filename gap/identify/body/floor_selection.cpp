@@ -37,8 +37,6 @@ class FloorSearch {
         unseen_{given, imu_, ignored} {
     out_.effects = effects_;
     out_.rows = rowsWith(residuals_, {}, about.imu), out_.rows_after = rowsWith(residuals_, {}, about_.imu);
-    out_.held_out_before = out_.held_out_after = heldOutFloor(given, imu_, about_);
-    if (of_gyro_) out_.held_out_before = heldOutFloor(given, imu_, about);
     excess_of_none_ = excessOf({});
   }
 
@@ -100,7 +98,6 @@ class FloorSearch {
     out_.found.push_back({.placed = {}, .sigmas = {}, .rivals = std::move(rivals)});
     for (std::size_t i = 0; i < out_.found.size(); ++i)
       out_.found[i].placed = best.fit.set[i], out_.found[i].sigmas = best.fit.sigmas[i];
-    out_.held_out_after = heldOutFloor(given_, imu_, evaluator_.modelOf(best.fit.set));
     out_.rows_after = rowsWith(residuals_, setOf(out_.found));
     return true;
   }

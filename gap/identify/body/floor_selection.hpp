@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "gap/identify/body/floor_errors.hpp"
 #include "gap/identify/body/floor_fit.hpp"
 #include "gap/localize/body/body_table.hpp"
 
@@ -20,7 +19,6 @@ struct FloorSelection {
   std::vector<FoundFloor> found;                            // in the order in which they were found
   std::vector<BodyRow> rows, rows_after;                    // before and with what was found
   std::vector<PlacedFloor> tried;                           // nearest, but no name
-  FloorErrors held_out_before, held_out_after;
 };
 
 /// What a limb does that clamped logs leave unexplained may be all there is of the effect: trunk and sensors feel the

@@ -53,12 +53,6 @@ std::string asText(const FloorSelection& selection) {
   }
   for (const PlacedFloor& one : selection.tried)
     text += "  nearest, but it leaves too much: " + placeText(*one.effect) + "\n";
-  if (!selection.found.empty() && selection.held_out_before.joints >= 0)
-    text += text::formatted(
-        "  held-out logs on the floor: joints %.2f -> %.2f mrad, gyro %.3f -> %.3f rad/s, "
-        "accelerometer %.2f -> %.2f m/s2\n",
-        1e3 * selection.held_out_before.joints, 1e3 * selection.held_out_after.joints, selection.held_out_before.gyro,
-        selection.held_out_after.gyro, selection.held_out_before.accel, selection.held_out_after.accel);
   return text;
 }
 

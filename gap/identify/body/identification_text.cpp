@@ -5,6 +5,7 @@
 #include "core/text/formatted.hpp"
 #include "gap/identify/body/body_identification.hpp"
 #include "gap/identify/body/floor_text.hpp"
+#include "gap/identify/body/held_out_text.hpp"
 #include "gap/identify/body/mechanics_text.hpp"
 #include "gap/thresholds.hpp"
 
@@ -12,10 +13,6 @@ namespace darwinop::gap {
 namespace {
 
 using Object = nlohmann::ordered_json;
-
-Object known(double value) {
-  return std::isfinite(value) ? Object(value) : Object(nullptr);
-}
 
 /// Values of one effect, and the half widths of their 90 % intervals; of a map without.
 struct Values {
@@ -139,13 +136,9 @@ std::string asText(const BodyIdentification& found) {
     for (const SensorFit& rival : one.rivals)
       text += "  or " + idsOf(rival) +
               text::formatted(", behind by 1 to %.3g in odds\n", std::exp((one.found.evidence - rival.evidence) / 2));
-    if (!one.found.effects.empty() && !std::isnan(one.held_out_before))
-      text += text::formatted("  held-out logs: %s %.3f -> %.3f %s, noise of a reading %.3f\n",
-                              std::string{name(one.sensor)}.c_str(), one.held_out_before, one.held_out_after,
-                              std::string{unitOf(one.sensor)}.c_str(), one.held_out_floor);
   }
   if (found.battery) text += asText(*found.battery);
-  text += asText(found.mechanics) + asText(found.floor);
+  text += asText(found.mechanics) + asText(found.floor) + asText(found.held_out);
   for (const BodyRow* const row : unexplained(found))
     text += "  not explained: " + row->signal + ", " + std::string{name(row->block)} + "\n";
   return text;
@@ -153,14 +146,9 @@ std::string asText(const BodyIdentification& found) {
 
 nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& found) {
   Object effects = Object::array(), ambiguity = Object::array(), where = Object::array();
-  Object before{{"joints_mrad", nullptr}}, after = before, floor = before;
   for (const SensorSelection& one : found.sensors) {
     for (const SensorEffect* const effect : one.found.effects) effects.push_back(effectJson(one.found, *effect));
     if (!one.rivals.empty()) ambiguity.push_back(alternativesOf(one));
-    const char* const key = one.sensor == ImuSensor::kGyro ? "gyro_rad_s" : "accel_m_s2";
-    before[key] = known(one.held_out_before);
-    after[key] = known(one.held_out_after);
-    floor[key] = known(one.held_out_floor);
   }
   if (found.battery) effects.push_back(effectJson(*found.battery));
   const std::vector<Limb> limbs = limbsOf(given.joints.model);
@@ -171,11 +159,6 @@ nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& f
   for (const FoundFloor& one : found.floor.found) {
     effects.push_back(effectJson(one));
     if (!one.rivals.empty()) ambiguity.push_back(alternativesOf(one));
-  }
-  if (!found.mechanics.rows.empty()) {
-    before["joints_mrad"] = known(1e3 * found.mechanics.held_out_before);
-    after["joints_mrad"] = known(1e3 * found.mechanics.held_out_after);
-    floor["joints_mrad"] = known(1e3 * found.mechanics.held_out_floor);
   }
   for (const BodyRow& row : found.table.rows)
     if (row.open)
@@ -193,9 +176,9 @@ nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& f
           {"ambiguity", ambiguity},
           {"where", where},
           {"remainder", remainder},
-          {"gap_score_before", before},
-          {"gap_score_after", after},
-          {"floor", floor},
+          {"gap_score_before", asJson(found.held_out.before)},
+          {"gap_score_after", asJson(found.held_out.after)},
+          {"floor", asJson(found.held_out.floor)},
           {"not_tested", found.table.not_tested},
           {"runtime_s", found.runtime_s}};
 }

@@ -39,19 +39,6 @@ std::size_t selected(const std::vector<SensorFit>& fits) {
   return found;
 }
 
-void verify(const BodyCase& given, const RestingImu& imu, SensorSelection& of) {
-  double before = 0, after = 0, floor = 0, count = 0;
-  for (const RestingReading& reading : restingReadings(given, of.sensor, true)) {
-    before += (reading.mean - imu.reading(of.sensor, reading.up)).squaredNorm();
-    after += (reading.mean - imu.reading(of.sensor, reading.up, of.found.deviation)).squaredNorm();
-    floor += reading.scatter.squaredNorm();
-    count += 3;
-  }
-  of.held_out_before = std::sqrt(before / count);
-  of.held_out_after = std::sqrt(after / count);
-  of.held_out_floor = std::sqrt(floor / count);
-}
-
 }  // namespace
 
 std::vector<SensorSelection> identifySensors(const BodyCase& given, const RestingImu& imu, const BodyTable& table) {
@@ -68,7 +55,6 @@ std::vector<SensorSelection> identifySensors(const BodyCase& given, const Restin
       if (i != found && isClose(fits[i], fits[found]) && !fits[i].extends(fits[found])) one.rivals.push_back(fits[i]);
     const auto count = static_cast<double>(problem.readings());
     one.remains = sigmasOfChiSquared(one.found.chi2, count) > table.open_from;
-    verify(given, imu, one);
     out.push_back(std::move(one));
   }
   return out;

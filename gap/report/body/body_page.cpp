@@ -109,7 +109,7 @@ std::string heldOutSection(const BodyReport& report) {
             "\n";
   }
   const std::string table =
-      wrap("table", "<tr><th>rms, held out</th><th>before</th><th>after</th><th>noise of a reading</th></tr>\n" + rows);
+      wrap("table", "<tr><th>rms, held out</th><th>before</th><th>after</th><th>noise</th></tr>\n" + rows);
   return section("held-out", "Before and after, on held-out recordings",
                  table + element("p",
                                  "An effect that makes these recordings worse is dropped: they are not independent "

@@ -46,7 +46,8 @@ TEST(BodyIdentify, ABiasOfTheGyroscope) {
   EXPECT_NEAR(gyro.found.deviation.bias[0], 0.12, 0.01);
   EXPECT_NEAR(gyro.found.deviation.bias[1], 0, 0.01);
   EXPECT_NEAR(gyro.found.deviation.bias[2], -0.05, 0.01);
-  EXPECT_GT(gyro.held_out_before, 10 * gyro.held_out_after);
+  EXPECT_GT(answer.held_out.before.gyro, 2 * answer.held_out.floor.gyro);
+  EXPECT_NEAR(answer.held_out.after.gyro / answer.held_out.floor.gyro, 1, 0.1);
 }
 
 TEST(BodyIdentify, ABiasThatThePriorAllowsHasNoName) {
