@@ -85,13 +85,12 @@ BodyIdentification identify(const BodyCase& given, BodyScope scope) {
     out.sensors = identifySensors(given, imu, out.table);
     const std::vector<Joint> unexplained = unexplainedJoints(robot, out.mechanics);
     const bool legs_are_explained = std::ranges::none_of(unexplained, carriesTheRobot);
-    if (legs_are_explained)
-      out.floor = identifyFloor(given, clampedModel(robot, out), unexplained, out.table.rows.size());
+    out.floor = legs_are_explained ? identifyFloor(given, clampedModel(robot, out), unexplained, out.table.rows.size())
+                                   : identifyMovingGyro(given, clampedModel(robot, out));
     std::vector<BodyRow> rows = std::move(out.table.rows);
     rows.insert(rows.end(), out.floor.rows.begin(), out.floor.rows.end());
     out.table = tableOf(std::move(rows));
-    if (!legs_are_explained)
-      out.table.not_tested = {"trunk, floor, contact, gyroscope in motion: joints of a leg are not explained"};
+    if (!legs_are_explained) out.table.not_tested = {"trunk, floor, contact: joints of a leg are not explained"};
     const FloorModel declared{.robot = {.robot = {bodyBaselineOf(given), {}}, .floor = {}}};
     out.held_out = heldOutGap(given, declared, finalModel(robot, out));
   }

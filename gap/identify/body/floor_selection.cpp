@@ -153,4 +153,13 @@ FloorSelection identifyFloor(const BodyCase& given, const FloorModel& about, con
   return FloorSearch{given, about, ignored, other_rows}.run();
 }
 
+FloorSelection identifyMovingGyro(const BodyCase& given, const FloorModel& about) {
+  const auto effects = std::make_shared<const std::vector<FloorEffect>>(floorEffects(given.joints.model));
+  const MovingImu imu{given.joints.model};
+  FloorSelection out{.effects = effects, .found = {}, .rows = {}, .rows_after = {}, .tried = {}};
+  if (std::optional<FoundFloor> found = StanceSelection{given, imu, about}.best(*effects))
+    out.found.push_back(std::move(*found));
+  return out;
+}
+
 }  // namespace darwinop::gap

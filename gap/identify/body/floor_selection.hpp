@@ -30,4 +30,8 @@ bool isOfLimb(const FloorEffect& effect, const std::vector<Joint>& unexplained);
 FloorSelection identifyFloor(const BodyCase& given, const FloorModel& about, const std::vector<Joint>& ignored,
                              std::size_t other_rows);
 
+/// Of the gyroscope alone, by the feet that stand: measured joints and no simulation, so that a leg may move otherwise
+/// than its model. Without rows.
+FloorSelection identifyMovingGyro(const BodyCase& given, const FloorModel& about);
+
 }  // namespace darwinop::gap

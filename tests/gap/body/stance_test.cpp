@@ -44,6 +44,15 @@ TEST(Stance, AScaleIsNamedWhateverTheFloor) {
   EXPECT_NEAR(answer.values[1], 1.15, 0.03);
 }
 
+TEST(Stance, BesideALegThatIsNotExplainedAGyroscopeIsNamedWithoutASimulation) {
+  FloorModel hidden = shippedOnFloor();
+  hidden.imu.gyro.scale = {1, 1.15, 1};
+  const FloorSelection answer = identifyMovingGyro(standingRobot(hidden), shippedOnFloor());
+  ASSERT_EQ(answer.found.size(), 1u);
+  EXPECT_EQ(answer.found.front().placed.effect->id, "gyro_scale");
+  EXPECT_TRUE(answer.rows.empty());
+}
+
 TEST(Stance, AFilterADelayALimitAndAReversedAxisAreDistinguished) {
   ImuDeviation slow, late, limited, reversed;
   slow.lowpass_s = 0.03, late.delay_s = 0.04, limited.range_rad_s = 0.5;
