@@ -53,23 +53,6 @@ FloorSet bestStart(FloorEvaluator& evaluator, const FloorSet& found, const Floor
   return sets[best];
 }
 
-/// The last effect of `set` at other strengths, with all of its numbers and with some of them at neutral.
-std::vector<FloorSet> variationsOf(const FloorSet& set) {
-  const PlacedFloor& last = set.back();
-  const std::size_t masks = std::size_t{1} << last.values.size();
-  std::vector<FloorSet> out;
-  for (std::size_t kept = 1; kept < masks; ++kept)
-    for (const double strength : thresholds::kFloorStrengths) {
-      out.push_back(set);
-      for (std::size_t i = 0; i < last.values.size(); ++i) {
-        const FloorEffect::Number& number = last.effect->numbers[i];
-        const double neutral = last.effect->neutral[i], share = (kept >> i & 1) != 0 || number.is_fixed ? strength : 0;
-        out.back().back().values[i] = std::clamp(neutral + share * (last.values[i] - neutral), number.low, number.high);
-      }
-    }
-  return out;
-}
-
 /// Walks are chaotic: the cost has many minima, and derivatives lead into the nearest. Goes on from a better variation.
 FloorFit outOfValley(FloorEvaluator& evaluator, FloorFit fit) {
   for (int round = 0; round < thresholds::kFloorValleys; ++round) {
@@ -85,6 +68,26 @@ FloorFit outOfValley(FloorEvaluator& evaluator, FloorFit fit) {
 }
 
 }  // namespace
+
+// A place of a mass means nothing without the mass, so that what is at neutral are the vectors behind the first.
+std::vector<FloorSet> variationsOf(const FloorSet& set) {
+  const PlacedFloor& last = set.back();
+  const std::vector<FloorEffect::Number>& numbers = last.effect->numbers;
+  std::vector<std::size_t> ends;  // of the first vector, and of all
+  for (std::size_t i = 1; i <= numbers.size(); ++i)
+    if (i == numbers.size() || (ends.empty() && numbers[i].key != numbers[0].key)) ends.push_back(i);
+  std::vector<FloorSet> out;
+  for (const std::size_t end : ends)
+    for (const double strength : thresholds::kFloorStrengths) {
+      out.push_back(set);
+      for (std::size_t i = 0; i < last.values.size(); ++i) {
+        const double neutral = last.effect->neutral[i], share = numbers[i].is_fixed ? 1 : i < end ? strength : 0;
+        out.back().back().values[i] =
+            std::clamp(neutral + share * (last.values[i] - neutral), numbers[i].low, numbers[i].high);
+      }
+    }
+  return out;
+}
 
 std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<FloorEffect>& effects,
                                              const FloorSet& found, double base_cost) {

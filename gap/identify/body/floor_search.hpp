@@ -18,3 +18,7 @@ std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const st
                                              const FloorSet& found, double base_cost);
 
 }  // namespace darwinop::gap
+/// The last effect of `set` at other strengths, all of its numbers together and its first vector alone: each is
+/// simulated.
+std::vector<FloorSet> variationsOf(const FloorSet& set);
+

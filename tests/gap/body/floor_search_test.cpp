@@ -11,6 +11,12 @@
 namespace darwinop::gap {
 namespace {
 
+using testing::SizeIs;
+
+const FloorEffect& effectCalled(const std::vector<FloorEffect>& all, std::string_view id, std::string_view at) {
+  return *std::ranges::find_if(all, [&](const FloorEffect& one) { return one.id == id && one.at == at; });
+}
+
 TEST(FloorSearch, NoModelIsSimulatedTwiceWhereOldTracesAreForgotten) {
   BodyCase given;
   given.joints.model = twin::readModel(twin::findModel("darwin-op"));
@@ -27,6 +33,16 @@ TEST(FloorSearch, NoModelIsSimulatedTwiceWhereOldTracesAreForgotten) {
   for (std::size_t i = 0; i < kMoreThanAreKept; ++i)
     (void)evaluator.residuals({{{&friction, {0.2 + 0.01 * static_cast<double>(i)}}}});
   EXPECT_EQ(evaluator.simulations(), kMoreThanAreKept);
+}
+
+TEST(FloorSearch, AMassIsVariedAsAWholeAndWithoutItsPlace) {
+  const std::vector<FloorEffect> effects = floorEffects(twin::readModel(twin::findModel("darwin-op")));
+  const FloorEffect &mass = effectCalled(effects, "link_mass", "Body"),
+                    &tilt = effectCalled(effects, "floor_tilt", "floor");
+  const std::vector<FloorSet> of_mass = variationsOf({{&mass, {0.2, 0, 0, 0.04}}});
+  EXPECT_THAT(of_mass, SizeIs(8)) << "each is a simulation of every log";
+  for (const FloorSet& set : of_mass) EXPECT_NE(set.back().values[0], 0);
+  EXPECT_THAT(variationsOf({{&tilt, {0.04, -0.01}}}), SizeIs(4));
 }
 
 }  // namespace
