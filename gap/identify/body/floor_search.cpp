@@ -89,14 +89,14 @@ std::vector<FloorSet> variationsOf(const FloorSet& set) {
   return out;
 }
 
-std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<FloorEffect>& effects,
+std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<const FloorEffect*>& effects,
                                              const FloorSet& found, double base_cost) {
   std::vector<FloorCandidate> simulated, sensed;
-  for (const FloorEffect& effect : effects) {
-    if (std::ranges::find(found, &effect, &PlacedFloor::effect) != found.end()) continue;
+  for (const FloorEffect* const effect : effects) {
+    if (std::ranges::find(found, effect, &PlacedFloor::effect) != found.end()) continue;
     FloorCandidate one;
-    one.fit.set = bestStart(evaluator, found, effect, one.start_cost);
-    (effect.is_of_sensor ? sensed : simulated).push_back(std::move(one));
+    one.fit.set = bestStart(evaluator, found, *effect, one.start_cost);
+    (effect->is_of_sensor ? sensed : simulated).push_back(std::move(one));
   }
   std::ranges::stable_sort(simulated, {}, &FloorCandidate::start_cost);
   if (simulated.size() > thresholds::kFittedFloor) simulated.resize(thresholds::kFittedFloor);

@@ -14,7 +14,7 @@ struct FloorCandidate {
 };
 
 /// Every effect that was not found yet, best by evidence first. `base_cost`: of `found` alone.
-std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<FloorEffect>& effects,
+std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<const FloorEffect*>& effects,
                                              const FloorSet& found, double base_cost);
 
 }  // namespace darwinop::gap

@@ -13,6 +13,9 @@
 namespace darwinop::gap {
 namespace {
 
+// Names that recordings contradict before the search ends: each costs another search.
+constexpr std::size_t kMostRefused = 2;
+
 FloorSet setOf(const std::vector<FoundFloor>& found) {
   FloorSet out;
   for (const FoundFloor& one : found) out.push_back(one.placed);
@@ -41,7 +44,11 @@ class FloorSearch {
   }
 
   FloorSelection run() {
-    while (isOpen(out_.rows_after) && out_.found.size() < thresholds::kMostFloorEffects && addNext()) useNoiseOfFound();
+    while (isOpen(out_.rows_after) && out_.found.size() < thresholds::kMostFloorEffects) {
+      const Step step = addNext();
+      if (step == Step::kFound) useNoiseOfFound();
+      if (step == Step::kNothing || out_.tried.size() >= kMostRefused) break;
+    }
     if (of_gyro_) out_.found.insert(out_.found.begin(), *of_gyro_);
     return std::move(out_);
   }
@@ -68,38 +75,47 @@ class FloorSearch {
     return costWith(set) - static_cast<double>(evaluator_.size()) * thresholds::kFloorCostOfNoise;
   }
 
-  /// The best of all further names. False: it does not earn its place.
-  bool addNext() {
+  enum class Step : std::uint8_t { kFound, kRefused, kNothing };
+
+  /// The best of all further names that was not refused yet.
+  Step addNext() {
     const FloorSet now = setOf(out_.found);
     const double cost = costWith(now);
-    std::vector<FloorCandidate> candidates = nextFloorEffects(evaluator_, *effects_, now, cost);
+    std::vector<const FloorEffect*> allowed;
+    for (const FloorEffect& effect : *effects_)
+      if (std::ranges::find(out_.tried, &effect, &PlacedFloor::effect) == out_.tried.end()) allowed.push_back(&effect);
+    std::vector<FloorCandidate> candidates = nextFloorEffects(evaluator_, allowed, now, cost);
     // What stance feet show of a gyroscope needs no contact to be right.
     std::erase_if(candidates, [&](const FloorCandidate& one) {
       const FloorSet& set = one.fit.set;
       return set.back().effect->is_of_sensor && (of_gyro_ || stance_.refutes(evaluator_.modelOf(set).imu));
     });
-    if (candidates.empty()) return false;
+    if (candidates.empty()) return Step::kNothing;
     const FloorCandidate& best = candidates.front();
     const double least =
         std::max(thresholds::kFloorShare * excessOf(now), thresholds::kMechanicsRemainder * excess_of_none_);
-    if (!(best.evidence > -2 * std::log(thresholds::kMechanicalChance) && cost - best.fit.cost > least)) return false;
+    if (!(earnsName(best) && cost - best.fit.cost > least)) return Step::kNothing;
     if (isOfLimb(*best.fit.set.back().effect, ignored_)) {
+      // What the limb does explains more than any other name would.
       out_.tried.push_back(best.fit.set.back());
-      return false;
+      return Step::kNothing;
     }
     if (isContradicted(now, best.fit.set)) {
       out_.tried.push_back(best.fit.set.back());
-      return false;
+      return Step::kRefused;
     }
     std::vector<PlacedFloor> rivals;
     for (std::size_t i = 1; i < candidates.size(); ++i)
-      if (best.evidence - candidates[i].evidence < thresholds::kRivalEvidence)
+      if (earnsName(candidates[i]) && best.evidence - candidates[i].evidence < thresholds::kRivalEvidence)
         rivals.push_back(candidates[i].fit.set.back());
     out_.found.push_back({.placed = {}, .sigmas = {}, .rivals = std::move(rivals)});
     for (std::size_t i = 0; i < out_.found.size(); ++i)
       out_.found[i].placed = best.fit.set[i], out_.found[i].sigmas = best.fit.sigmas[i];
     out_.rows_after = rowsWith(residuals_, setOf(out_.found));
-    return true;
+    return Step::kFound;
+  }
+  static bool earnsName(const FloorCandidate& one) {
+    return one.evidence > -2 * std::log(thresholds::kMechanicalChance);
   }
 
   /// A log, for fits or held out, contradicts what the second set has beyond the first: under the noise of the second,

@@ -11,6 +11,7 @@
 namespace darwinop::gap {
 namespace {
 
+using testing::IsEmpty;
 using testing::SizeIs;
 
 const FloorEffect& effectCalled(const std::vector<FloorEffect>& all, std::string_view id, std::string_view at) {
@@ -43,6 +44,18 @@ TEST(FloorSearch, AMassIsVariedAsAWholeAndWithoutItsPlace) {
   EXPECT_THAT(of_mass, SizeIs(8)) << "each is a simulation of every log";
   for (const FloorSet& set : of_mass) EXPECT_NE(set.back().values[0], 0);
   EXPECT_THAT(variationsOf({{&tilt, {0.04, -0.01}}}), SizeIs(4));
+}
+
+TEST(FloorSearch, ANameThatAHeldOutLogContradictsDoesNotEndTheSearch) {
+  FloorModel sloped = shippedOnFloor();
+  sloped.robot.floor.tilt_rad = {0.03, -0.01};
+  BodyCase given = standingRobot(sloped);
+  const BodyCase level = standingRobot(shippedOnFloor());
+  given.logs[2] = level.logs[2];  // held out
+  std::copy_n(level.joints.logs.begin() + 2 * kJoints, kJoints, given.joints.logs.begin() + 2 * kJoints);
+  const FloorSelection answer = identifyFloor(given, shippedOnFloor(), {}, 0);
+  EXPECT_THAT(answer.found, IsEmpty());
+  EXPECT_GT(answer.tried.size(), 1u);
 }
 
 }  // namespace
