@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "gap/thresholds.hpp"
@@ -46,6 +47,8 @@ std::vector<FloorEffect> contactEffects(const twin::Model& model) {
   out.push_back(scaleAt("contact_time", "floor", {.key = "time", .unit = "s", .low = 0.002, .high = 0.2, .step = 0},
                         time_s, {0.4, 2.5, 5},
                         [time_s](FloorModel& m, double value) { m.robot.floor.contact_time_factor = value / time_s; }));
+  out.back().of_engine = EngineNumber::kContactTime;
+  out.back().engine_sigma = std::log(1 + thresholds::kEngineContactTime);
   out.push_back(scaleAt("sole_size", "floor", {.key = "scale", .unit = "", .low = 0.3, .high = 2, .step = 0}, 1,
                         {0.6, 0.8, 1.25}, [](FloorModel& m, double value) { m.robot.floor.sole_scale = value; }));
   const FloorNumber tilt{.key = "tilt", .unit = "rad", .low = -0.3, .high = 0.3, .step = 0.002, .prior_sigma = 0.1};
@@ -154,6 +157,13 @@ std::vector<FloorEffect> gyroEffects() {
 }
 
 }  // namespace
+
+double PlacedFloor::costAmongEngines() const {
+  if (effect->of_engine == EngineNumber::kNone) return std::numeric_limits<double>::infinity();
+  const FloorEffect::Number& number = effect->numbers.front();
+  return std::pow((number.inSearch(values.front()) - number.inSearch(effect->neutral.front())) / effect->engine_sigma,
+                  2);
+}
 
 std::vector<FloorEffect> floorEffects(const twin::Model& model) {
   std::vector<FloorEffect> out = contactEffects(model);

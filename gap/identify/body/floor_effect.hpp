@@ -31,9 +31,11 @@ struct FloorEffect {
     }
   };
   std::string_view id, at;
-  bool is_of_sensor = false;  // needs no simulation
-  bool is_linear = false;     // starts are combined
-  bool is_of_load = false;    // acts by weight or its direction: a mass that moves in a limb looks like it
+  bool is_of_sensor = false;                     // needs no simulation
+  bool is_linear = false;                        // starts are combined
+  EngineNumber of_engine = EngineNumber::kNone;  // its number is also one that engines differ by
+  double engine_sigma = 0;                       // by so much, on the scale on which it is searched
+  bool is_of_load = false;  // acts by weight or its direction: a mass that moves in a limb looks like it
   std::vector<Number> numbers;
   std::vector<double> neutral;
   std::vector<std::vector<double>> starts;
@@ -46,6 +48,9 @@ std::vector<FloorEffect> floorEffects(const twin::Model& model);
 struct PlacedFloor {
   const FloorEffect* effect = nullptr;
   std::vector<double> values;
+
+  /// Squared standard deviations of what engines differ by in this number; infinite: they do not.
+  [[nodiscard]] double costAmongEngines() const;
 };
 using FloorSet = std::vector<PlacedFloor>;
 

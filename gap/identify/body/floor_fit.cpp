@@ -71,8 +71,8 @@ void FloorEvaluator::simulateMissing(const std::vector<FloorSet>& sets) {
   std::vector<FloorHypothesis> hypotheses;
   for (const auto& [key, hypothesis] : missing) hypotheses.push_back(hypothesis);
   std::vector<FloorTraces> simulated = residuals_->simulate(hypotheses);
-  std::size_t i = 0;
   simulations_ += hypotheses.size();
+  std::size_t i = 0;
   for (const auto& [key, hypothesis] : missing) traces_.insert_or_assign(key, std::move(simulated[i++]));
 }
 
@@ -86,7 +86,12 @@ const FloorTraces& FloorEvaluator::tracesOf(const FloorSet& set) {
 std::vector<Eigen::VectorXd> FloorEvaluator::residuals(const std::vector<FloorSet>& sets) {
   simulateMissing(sets);
   std::vector<Eigen::VectorXd> out;
-  for (const FloorSet& set : sets) out.push_back(residuals_->of(tracesOf(set), modelOf(set).imu));
+  for (const FloorSet& set : sets) {
+    EngineNumber own = EngineNumber::kNone;
+    for (const PlacedFloor& placed : set)
+      if (placed.effect->of_engine != EngineNumber::kNone) own = placed.effect->of_engine;
+    out.push_back(residuals_->of(tracesOf(set), modelOf(set).imu, own));
+  }
   return out;
 }
 

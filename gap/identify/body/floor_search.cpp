@@ -123,8 +123,11 @@ std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const st
     const double samples = static_cast<double>(evaluator.size()) / thresholds::kCorrelatedSamples;
     const double scale =
         thresholds::kCorrelatedSamples * std::max(1.0, one.fit.cost / static_cast<double>(evaluator.size()));
-    one.evidence = (base_cost - one.fit.cost) / scale - priceOf(*one.fit.set.back().effect, samples) -
-                   2 * std::log(static_cast<double>(effects.size()));
+    const PlacedFloor& last = one.fit.set.back();
+    const double gain = (base_cost - one.fit.cost) / scale;
+    const double price = priceOf(*last.effect, samples) + 2 * std::log(static_cast<double>(effects.size()));
+    one.evidence = gain - price;
+    one.name_evidence = std::min(gain, last.costAmongEngines()) - price;
   }
   std::ranges::stable_sort(all, std::greater{}, &FloorCandidate::evidence);
   return all;

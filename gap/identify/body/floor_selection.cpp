@@ -22,6 +22,15 @@ FloorSet setOf(const std::vector<FoundFloor>& found) {
   return out;
 }
 
+/// Engines differ, and the case may not trust the number either.
+std::shared_ptr<const std::vector<FloorEffect>> effectsFor(const BodyCase& given) {
+  auto out = std::make_shared<std::vector<FloorEffect>>(floorEffects(given.joints.model));
+  for (FloorEffect& one : *out)
+    if (one.of_engine == EngineNumber::kContactTime)
+      one.engine_sigma = std::hypot(one.engine_sigma, given.sigmaOf("contact_time"));
+  return out;
+}
+
 /// One selection, from the model as it is to the last name that earns its place.
 class FloorSearch {
  public:
@@ -31,7 +40,7 @@ class FloorSearch {
         logs_{floorLogs(given, false)},
         imu_{given.joints.model},
         stance_{given, imu_, about},
-        effects_{std::make_shared<const std::vector<FloorEffect>>(floorEffects(given.joints.model))},
+        effects_{effectsFor(given)},
         of_gyro_{stance_.best(*effects_)},
         about_{withGyro(about)},
         residuals_{given, logs_, imu_, about_, ignored},
@@ -115,7 +124,7 @@ class FloorSearch {
     return Step::kFound;
   }
   static bool earnsName(const FloorCandidate& one) {
-    return one.evidence > -2 * std::log(thresholds::kMechanicalChance);
+    return one.name_evidence > -2 * std::log(thresholds::kMechanicalChance);
   }
 
   /// A log, for fits or held out, contradicts what the second set has beyond the first: under the noise of the second,

@@ -24,16 +24,26 @@ Eigen::VectorXd smoothedBlocks(const Eigen::VectorXd& of, const std::vector<Floo
   return out;
 }
 
+struct OtherEngine {
+  FloorHypothesis robot;
+  EngineNumber number = EngineNumber::kNone;
+};
+
 /// The same model as other engines solve it, and its contacts as they may understand them.
-std::vector<FloorHypothesis> otherEngines(const FloorHypothesis& about) {
-  std::vector<FloorHypothesis> out;
-  const auto add = [&](auto change) { change(out.emplace_back(about)); };
+std::vector<OtherEngine> otherEngines(const FloorHypothesis& about) {
+  std::vector<OtherEngine> out;
+  const auto add = [&](auto change, EngineNumber number = EngineNumber::kNone) {
+    out.push_back({about, number});
+    change(out.back().robot);
+  };
   add([](FloorHypothesis& one) { one.engine.pyramidal_friction = true; });
   add([](FloorHypothesis& one) { one.engine.impedance = thresholds::kEngineImpedance; });
   add([](FloorHypothesis& one) { one.engine.steps_per_cycle = 2; });
   add([](FloorHypothesis& one) { one.engine.drop_m = thresholds::kEngineDrop; });
-  add([](FloorHypothesis& one) { one.floor.contact_time_factor *= 1 + thresholds::kEngineContactTime; });
-  add([](FloorHypothesis& one) { one.floor.contact_time_factor /= 1 + thresholds::kEngineContactTime; });
+  add([](FloorHypothesis& one) { one.floor.contact_time_factor *= 1 + thresholds::kEngineContactTime; },
+      EngineNumber::kContactTime);
+  add([](FloorHypothesis& one) { one.floor.contact_time_factor /= 1 + thresholds::kEngineContactTime; },
+      EngineNumber::kContactTime);
   add([](FloorHypothesis& one) { one.floor.friction_factor *= 1 - thresholds::kEngineFriction; });
   return out;
 }
@@ -58,7 +68,7 @@ Eigen::VectorXd varianceOfTiming(const std::function<Eigen::VectorXd(double dela
 
 void FloorResiduals::estimateNoise(const FloorModel& about) {
   Ensemble of = simulateEnsemble(about);
-  setSigma(of.repeats);
+  Eigen::VectorXd sigma = sigmaOf(of.repeats);
   const auto at = [&](double delay_s) {
     ImuDeviation moved = about.imu;
     moved.delay_s += delay_s;
@@ -66,16 +76,18 @@ void FloorResiduals::estimateNoise(const FloorModel& about) {
   };
   const double contact_s = given_.joints.model.body.contact_time_s * about.robot.floor.contact_time_factor;
   const Eigen::VectorXd of_timing = varianceOfTiming(at, contact_s, given_.joints.model.servo.firmware_period_s);
-  sigma_ = (sigma_.cwiseAbs2() + smoothedBlocks(of_timing, blocks_, thresholds::kNoiseVarianceHalfWindow)).cwiseSqrt();
-  setDirections(of);
-  widenByWhatIsNotSpanned(of);
+  sigma = (sigma.cwiseAbs2() + smoothedBlocks(of_timing, blocks_, thresholds::kNoiseVarianceHalfWindow)).cwiseSqrt();
+  noise_ = noiseOf(of, sigma);
+  noise_of_own_contact_ = noiseOf(of.without(EngineNumber::kContactTime), std::move(sigma));
 }
 
 FloorResiduals::Ensemble FloorResiduals::simulateEnsemble(const FloorModel& about) {
   constexpr int kRuns = thresholds::kFloorNoiseRuns;
   std::vector<FloorHypothesis> exact{about.robot};
-  for (FloorHypothesis& one : otherEngines(about.robot)) exact.push_back(std::move(one));
-  const std::size_t engines = exact.size() - 1;
+  std::vector<EngineNumber> numbers;
+  for (OtherEngine& one : otherEngines(about.robot))
+    exact.push_back(std::move(one.robot)), numbers.push_back(one.number);
+  const std::size_t engines = numbers.size();
   const std::size_t draws = given_.trust.empty() ? 0 : thresholds::kFloorPriorRuns;
   for (FloorHypothesis& one : drawnRobots(given_, about.robot, 1, draws)) exact.push_back(std::move(one));
   std::vector<FloorTraces> traces = simulate(exact);
@@ -95,7 +107,8 @@ FloorResiduals::Ensemble FloorResiduals::simulateEnsemble(const FloorModel& abou
   };
   Ensemble out{.repeats = differences(repeats, 0, kRuns),
                .engines = differences(traces, 1, engines),
-               .draws = differences(traces, 1 + engines, draws)};
+               .draws = differences(traces, 1 + engines, draws),
+               .numbers = std::move(numbers)};
   // Where a limb that lies on the floor comes to rest depends on how an engine lets friction stick.
   for (const FloorSamples& block : blocks_)
     if (given_.logs[block.log].setup == BodySetup::kLying)
@@ -104,7 +117,7 @@ FloorResiduals::Ensemble FloorResiduals::simulateEnsemble(const FloorModel& abou
 }
 
 // Repeats: what varies from row to row is noise of each sample; what varies slowly stays in the columns.
-void FloorResiduals::setSigma(Eigen::MatrixXd& repeats) {
+Eigen::VectorXd FloorResiduals::sigmaOf(Eigen::MatrixXd& repeats) const {
   constexpr int kHalf = thresholds::kNoiseHalfWindow;
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(repeats.rows());
   for (Eigen::Index run = 0; run < repeats.cols(); ++run) {
@@ -125,34 +138,34 @@ void FloorResiduals::setSigma(Eigen::MatrixXd& repeats) {
     else
       own += axis < 3 ? gyro[axis] * gyro[axis] : accel[axis - 3] * accel[axis - 3];
   }
-  sigma_ = variance.cwiseSqrt();
+  return variance.cwiseSqrt();
 }
 
 // Columns: repeats, engines, draws, and one bias for each axis of the sensors.
-void FloorResiduals::setDirections(const Ensemble& of) {
+void FloorResiduals::setDirections(const Ensemble& of, Noise& into) const {
   const Eigen::Index runs = of.repeats.cols(), engines = of.engines.cols(), draws = of.draws.cols();
   const Eigen::Index columns = runs + engines + draws;
-  directions_ = Eigen::MatrixXd::Zero(sigma_.size(), columns + 6);
-  directions_.leftCols(runs) = of.repeats * (thresholds::kReleasedFactor / std::sqrt(static_cast<double>(runs)));
-  directions_.middleCols(runs, engines) = of.engines;
+  into.directions = Eigen::MatrixXd::Zero(into.sigma.size(), columns + 6);
+  into.directions.leftCols(runs) = of.repeats * (thresholds::kReleasedFactor / std::sqrt(static_cast<double>(runs)));
+  into.directions.middleCols(runs, engines) = of.engines;
   if (draws > 0)
-    directions_.middleCols(runs + engines, draws) =
+    into.directions.middleCols(runs + engines, draws) =
         of.draws * (thresholds::kFewDrawsFactor / std::sqrt(static_cast<double>(draws)));
   for (const FloorSamples& block : blocks_) {
     if (block.signal < kJoints) continue;
     const auto axis = static_cast<Eigen::Index>(block.signal - kJoints);
-    directions_.col(columns + axis)
+    into.directions.col(columns + axis)
         .segment(block.begin, block.rows)
         .setConstant(given_.sigmaOf(axis < 3 ? "imu.gyro_bias_rad_s" : "imu.accel_bias_m_s2"));
   }
-  directions_ = sigma_.cwiseInverse().asDiagonal() * directions_;
+  into.directions = into.sigma.cwiseInverse().asDiagonal() * into.directions;
 }
 
 // A few runs do not span what one more would do: the part of each that the others leave is noise of each sample.
-void FloorResiduals::widenByWhatIsNotSpanned(const Ensemble& of) {
+void FloorResiduals::widenByWhatIsNotSpanned(const Ensemble& of, Noise& into) const {
   const Eigen::Index runs = of.repeats.cols(), engines = of.engines.cols(), draws = of.draws.cols();
-  const Eigen::MatrixXd gram = directions_.transpose() * directions_;
-  Eigen::VectorXd left = Eigen::VectorXd::Zero(sigma_.size());
+  const Eigen::MatrixXd gram = into.directions.transpose() * into.directions;
+  Eigen::VectorXd left = Eigen::VectorXd::Zero(into.sigma.size());
   const auto addLeft = [&](Eigen::Index from, Eigen::Index count, double weight) {
     for (Eigen::Index k = from; k < from + count; ++k) {
       Eigen::MatrixXd normal = gram;
@@ -162,7 +175,7 @@ void FloorResiduals::widenByWhatIsNotSpanned(const Ensemble& of) {
       right[k] = 0;
       Eigen::VectorXd by = normal.ldlt().solve(right);
       by[k] = 0;
-      left += weight * (directions_.col(k) - directions_ * by).cwiseAbs2();
+      left += weight * (into.directions.col(k) - into.directions * by).cwiseAbs2();
     }
   };
   addLeft(0, runs, 1);
@@ -170,9 +183,9 @@ void FloorResiduals::widenByWhatIsNotSpanned(const Ensemble& of) {
   if (draws > 0) addLeft(runs + engines, draws, 1);
   const Eigen::VectorXd factor =
       (1 + smoothedBlocks(left, blocks_, thresholds::kNoiseVarianceHalfWindow).array()).sqrt();
-  sigma_ = sigma_.cwiseProduct(factor);
-  common_ = 1 - factor.array().square().inverse();
-  directions_ = factor.cwiseInverse().asDiagonal() * directions_;
+  into.sigma = into.sigma.cwiseProduct(factor);
+  into.common = 1 - factor.array().square().inverse();
+  into.directions = factor.cwiseInverse().asDiagonal() * into.directions;
 }
 
 }  // namespace darwinop::gap

@@ -65,8 +65,28 @@ FloorResiduals::FloorResiduals(const BodyCase& given, std::vector<std::size_t> l
       measured_.segment(block.begin, block.rows).setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   estimateNoise(about);
-  forgetUnmeasured(measured_, directions_);
-  modes_ = NoiseModes{directions_};
+}
+
+FloorResiduals::Noise FloorResiduals::noiseOf(const Ensemble& of, Eigen::VectorXd sigma) const {
+  Noise out{.sigma = std::move(sigma), .common = {}, .directions = {}};
+  setDirections(of, out);
+  widenByWhatIsNotSpanned(of, out);
+  forgetUnmeasured(measured_, out.directions);
+  out.modes = NoiseModes{out.directions};
+  out.directions.resize(0, 0);
+  return out;
+}
+
+FloorResiduals::Ensemble FloorResiduals::Ensemble::without(EngineNumber number) const {
+  Ensemble out{.repeats = repeats, .engines = engines, .draws = draws};
+  Eigen::Index kept = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] == number) continue;
+    out.engines.col(kept++) = engines.col(static_cast<Eigen::Index>(i));
+    out.numbers.push_back(numbers[i]);
+  }
+  out.engines.conservativeResize(Eigen::NoChange, kept);
+  return out;
 }
 
 Eigen::VectorXd FloorResiduals::readings(const FloorTraces& traces, const ImuDeviation& imu) const {
@@ -93,7 +113,12 @@ Eigen::VectorXd FloorResiduals::raw(const FloorTraces& traces, const ImuDeviatio
 }
 
 Eigen::VectorXd FloorResiduals::scaled(const FloorTraces& traces, const ImuDeviation& imu) const {
-  return inSigmas(raw(traces, imu), measured_, sigma_);
+  return inSigmas(raw(traces, imu), measured_, noise_.sigma);
+}
+
+Eigen::VectorXd FloorResiduals::of(const FloorTraces& traces, const ImuDeviation& imu, EngineNumber own) const {
+  const Noise& noise = own == EngineNumber::kContactTime ? noise_of_own_contact_ : noise_;
+  return noise.modes.whitened(inSigmas(raw(traces, imu), measured_, noise.sigma));
 }
 
 }  // namespace darwinop::gap

@@ -29,6 +29,10 @@ struct FloorModel {
   ImuDeviation imu = {};
 };
 
+/// Numbers of which engines have their own understanding: what they differ by is noise, but not for an effect that is
+/// this number.
+enum class EngineNumber : std::uint8_t { kNone, kContactTime };
+
 /// Simulated logs, in the order of FloorResiduals::logs().
 using FloorTraces = std::vector<FloorTrace>;
 
@@ -61,16 +65,18 @@ class FloorResiduals {
   /// In standard deviations of one sample; a missing sample is 0.
   [[nodiscard]] Eigen::VectorXd scaled(const FloorTraces& traces, const ImuDeviation& imu) const;
   /// Of such residuals or of their derivatives. Linear.
-  [[nodiscard]] Eigen::VectorXd whitened(const Eigen::VectorXd& scaled) const { return modes_.whitened(scaled); }
+  [[nodiscard]] Eigen::VectorXd whitened(const Eigen::VectorXd& scaled) const { return noise_.modes.whitened(scaled); }
   [[nodiscard]] Eigen::VectorXd of(const FloorTraces& traces, const ImuDeviation& imu) const {
     return whitened(scaled(traces, imu));
   }
+  /// Whitened, of a model that has a value of its own for this number.
+  [[nodiscard]] Eigen::VectorXd of(const FloorTraces& traces, const ImuDeviation& imu, EngineNumber own) const;
 
   [[nodiscard]] const std::vector<FloorSamples>& blocks() const { return blocks_; }
-  [[nodiscard]] Eigen::Index size() const { return sigma_.size(); }
-  [[nodiscard]] const Eigen::VectorXd& sigma() const { return sigma_; }
+  [[nodiscard]] Eigen::Index size() const { return noise_.sigma.size(); }
+  [[nodiscard]] const Eigen::VectorXd& sigma() const { return noise_.sigma; }
   /// Share of each sample's variance that is common to its log: by how much one more right model would differ.
-  [[nodiscard]] const Eigen::VectorXd& commonShare() const { return common_; }
+  [[nodiscard]] const Eigen::VectorXd& commonShare() const { return noise_.common; }
 
  private:
   [[nodiscard]] Eigen::VectorXd readings(const FloorTraces& traces, const ImuDeviation& imu) const;
@@ -78,20 +84,28 @@ class FloorResiduals {
   /// What simulations differ by from the base, one a column.
   struct Ensemble {
     Eigen::MatrixXd repeats, engines, draws;
+    std::vector<EngineNumber> numbers = {};  // of each column of `engines`
+    [[nodiscard]] Ensemble without(EngineNumber number) const;
+  };
+  struct Noise {
+    Eigen::VectorXd sigma, common;
+    Eigen::MatrixXd directions;  // of noise, engine and priors, in sigmas
+    NoiseModes modes = {};
   };
   [[nodiscard]] Ensemble simulateEnsemble(const FloorModel& about);
-  void setSigma(Eigen::MatrixXd& repeats);
-  void setDirections(const Ensemble& of);
-  void widenByWhatIsNotSpanned(const Ensemble& of);
+  /// Standard deviation of each sample; what is slow stays in the columns.
+  [[nodiscard]] Eigen::VectorXd sigmaOf(Eigen::MatrixXd& repeats) const;
+  [[nodiscard]] Noise noiseOf(const Ensemble& of, Eigen::VectorXd sigma) const;
+  void setDirections(const Ensemble& of, Noise& into) const;
+  void widenByWhatIsNotSpanned(const Ensemble& of, Noise& into) const;
 
   const BodyCase& given_;
   std::vector<std::size_t> logs_;
   const MovingImu& imu_;
   FloorTraces base_;
   std::vector<FloorSamples> blocks_;
-  Eigen::VectorXd measured_, sigma_, common_;
-  Eigen::MatrixXd directions_;  // of noise, engine and priors, in sigmas
-  NoiseModes modes_;
+  Eigen::VectorXd measured_;
+  Noise noise_, noise_of_own_contact_;
 };
 
 }  // namespace darwinop::gap

@@ -18,6 +18,10 @@ const FloorEffect& effectCalled(const std::vector<FloorEffect>& all, std::string
   return *std::ranges::find_if(all, [&](const FloorEffect& one) { return one.id == id && one.at == at; });
 }
 
+FloorSelection selectionFor(const FloorModel& hidden) {
+  return identifyFloor(standingRobot(hidden), shippedOnFloor(), {}, 0);
+}
+
 TEST(FloorSearch, NoModelIsSimulatedTwiceWhereOldTracesAreForgotten) {
   BodyCase given;
   given.joints.model = twin::readModel(twin::findModel("darwin-op"));
@@ -44,6 +48,22 @@ TEST(FloorSearch, AMassIsVariedAsAWholeAndWithoutItsPlace) {
   EXPECT_THAT(of_mass, SizeIs(8)) << "each is a simulation of every log";
   for (const FloorSet& set : of_mass) EXPECT_NE(set.back().values[0], 0);
   EXPECT_THAT(variationsOf({{&tilt, {0.04, -0.01}}}), SizeIs(4));
+}
+
+TEST(FloorSearch, AContactThatNoEngineHasIsNamed) {
+  FloorModel hidden = shippedOnFloor();
+  hidden.robot.engine = {.pyramidal_friction = true, .impedance = 2, .steps_per_cycle = 4, .drop_m = 0.0005};
+  hidden.robot.floor.contact_time_factor = 0.04 / 0.008;
+  const FloorSelection answer = selectionFor(hidden);
+  ASSERT_THAT(answer.found, SizeIs(1));
+  EXPECT_EQ(answer.found.front().placed.effect->id, "contact_time");
+  EXPECT_NEAR(answer.found.front().placed.values[0], 0.04, 0.008);
+}
+
+TEST(FloorSearch, AContactThatAnEngineMayHaveIsNot) {
+  FloorModel hidden = shippedOnFloor();
+  hidden.robot.floor.contact_time_factor = 2.2;
+  EXPECT_THAT(selectionFor(hidden).found, IsEmpty());
 }
 
 TEST(FloorSearch, ANameThatAHeldOutLogContradictsDoesNotEndTheSearch) {
