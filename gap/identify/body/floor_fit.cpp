@@ -53,7 +53,8 @@ FloorEvaluator::Key FloorEvaluator::keyOf(const FloorSet& set) {
   Key key;
   for (const PlacedFloor& placed : set) {
     if (placed.effect->is_of_sensor) continue;
-    key.push_back(static_cast<double>(std::hash<std::string_view>{}(placed.effect->id) % 1'000'003));
+    for (const std::string_view name : {placed.effect->id, placed.effect->at})
+      key.push_back(static_cast<double>(std::hash<std::string_view>{}(name) % 1'000'003));
     key.insert(key.end(), placed.values.begin(), placed.values.end());
   }
   return key;

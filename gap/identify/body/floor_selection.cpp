@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/identify/body/floor_agreement.hpp"
+#include "gap/identify/body/floor_candidates.hpp"
 #include "gap/identify/body/floor_search.hpp"
 #include "gap/identify/body/stance_selection.hpp"
 #include "gap/localize/absorb.hpp"
@@ -22,15 +23,6 @@ FloorSet setOf(const std::vector<FoundFloor>& found) {
   return out;
 }
 
-/// Engines differ, and the case may not trust the number either.
-std::shared_ptr<const std::vector<FloorEffect>> effectsFor(const BodyCase& given) {
-  auto out = std::make_shared<std::vector<FloorEffect>>(floorEffects(given.joints.model));
-  for (FloorEffect& one : *out)
-    if (one.of_engine == EngineNumber::kContactTime)
-      one.engine_sigma = std::hypot(one.engine_sigma, given.sigmaOf("contact_time"));
-  return out;
-}
-
 /// One selection, from the model as it is to the last name that earns its place.
 class FloorSearch {
  public:
@@ -40,7 +32,7 @@ class FloorSearch {
         logs_{floorLogs(given, false)},
         imu_{given.joints.model},
         stance_{given, imu_, about},
-        effects_{effectsFor(given)},
+        effects_{floorCandidates(given)},
         of_gyro_{stance_.best(*effects_)},
         about_{withGyro(about)},
         residuals_{given, logs_, imu_, about_, ignored},
@@ -179,7 +171,7 @@ FloorSelection identifyFloor(const BodyCase& given, const FloorModel& about, con
 }
 
 FloorSelection identifyMovingGyro(const BodyCase& given, const FloorModel& about) {
-  const auto effects = std::make_shared<const std::vector<FloorEffect>>(floorEffects(given.joints.model));
+  const auto effects = floorCandidates(given);
   const MovingImu imu{given.joints.model};
   FloorSelection out{.effects = effects, .found = {}, .rows = {}, .rows_after = {}, .tried = {}};
   if (std::optional<FoundFloor> found = StanceSelection{given, imu, about}.best(*effects))

@@ -1,7 +1,9 @@
 #include "gap/identify/body/floor_text.hpp"
 
 #include "core/text/formatted.hpp"
+#include "core/text/joined.hpp"
 #include "core/units.hpp"
+#include "gap/identify/body/floor_candidates.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -27,11 +29,14 @@ std::vector<FloorQuantity> quantitiesOf(const FoundFloor& one) {
 }
 
 std::string placeText(const FloorEffect& effect) {
-  return std::string{effect.id} + " at " + std::string{effect.at};
+  return std::string{effect.id} + " at " + text::joined(loadedJointsAt(effect.at), " and ");
 }
 
 nlohmann::ordered_json nameJson(const FloorEffect& effect) {
-  return {{"id", effect.id}, {"at", effect.at}};
+  const std::vector<std::string_view> at = loadedJointsAt(effect.at);
+  nlohmann::ordered_json out{{"id", effect.id}, {"at", effect.at}};
+  if (at.size() > 1) out["at"] = at;
+  return out;
 }
 
 }  // namespace

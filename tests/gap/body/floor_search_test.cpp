@@ -66,6 +66,21 @@ TEST(FloorSearch, AContactThatAnEngineMayHaveIsNot) {
   EXPECT_THAT(selectionFor(hidden).found, IsEmpty());
 }
 
+TEST(FloorSearch, AnEncoderOfAnAnkleIsNotNamedAsAFloorThatSlopes) {
+  for (const std::vector<std::string>& joints : {std::vector<std::string>{"AnkleR"}, {"FootR", "FootL"}}) {
+    FloorModel hidden = shippedOnFloor();
+    for (const std::string& joint : joints)
+      hidden.robot.robot.servos.with(*twin::findEffect("encoder_offset"), {.kind = Place::Kind::kJoint, .name = joint})
+          .values = {0.03};
+    const FloorSelection answer = selectionFor(hidden);
+    ASSERT_THAT(answer.found, SizeIs(1)) << joints.front();
+    const nlohmann::ordered_json json = effectJson(answer.found.front());
+    EXPECT_EQ(json["id"], "encoder_offset");
+    EXPECT_EQ(json["at"], joints.size() == 1 ? nlohmann::ordered_json(joints.front()) : nlohmann::ordered_json(joints));
+    EXPECT_NEAR(json["params"]["offset"].get<double>(), 0.03, 0.004);
+  }
+}
+
 TEST(FloorSearch, ANameThatAHeldOutLogContradictsDoesNotEndTheSearch) {
   FloorModel sloped = shippedOnFloor();
   sloped.robot.floor.tilt_rad = {0.03, -0.01};
