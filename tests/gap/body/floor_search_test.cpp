@@ -50,20 +50,18 @@ TEST(FloorSearch, AMassIsVariedAsAWholeAndWithoutItsPlace) {
   EXPECT_THAT(variationsOf({{&tilt, {0.04, -0.01}}}), SizeIs(4));
 }
 
-TEST(FloorSearch, AContactThatNoEngineHasIsNamed) {
-  FloorModel hidden = shippedOnFloor();
-  hidden.robot.engine = {.pyramidal_friction = true, .impedance = 2, .steps_per_cycle = 4, .drop_m = 0.0005};
-  hidden.robot.floor.contact_time_factor = 0.04 / 0.008;
-  const FloorSelection answer = selectionFor(hidden);
-  ASSERT_THAT(answer.found, SizeIs(1));
-  EXPECT_EQ(answer.found.front().placed.effect->id, "contact_time");
-  EXPECT_NEAR(answer.found.front().placed.values[0], 0.04, 0.008);
-}
-
-TEST(FloorSearch, AContactThatAnEngineMayHaveIsNot) {
-  FloorModel hidden = shippedOnFloor();
-  hidden.robot.floor.contact_time_factor = 2.2;
-  EXPECT_THAT(selectionFor(hidden).found, IsEmpty());
+TEST(FloorSearch, AContactTimeGainsNoMoreThanItsDeviationAmongEnginesCosts) {
+  const std::vector<FloorEffect> effects = floorEffects(twin::readModel(twin::findModel("darwin-op")));
+  const FloorEffect &time = effectCalled(effects, "contact_time", "floor"),
+                    &soles = effectCalled(effects, "sole_size", "floor");
+  const auto costOf = [](const FloorEffect& effect, double value) {
+    return PlacedFloor{&effect, {value}}.costAmongEngines();
+  };
+  EXPECT_NEAR(costOf(time, 0.008 * 1.3), 1, 1e-9);
+  EXPECT_NEAR(costOf(time, 0.008 / 1.3), 1, 1e-9);
+  EXPECT_GT(costOf(time, 0.031), 22) << "the price of a name, and what chance exceeds in 1 %";
+  EXPECT_LT(costOf(time, 0.02), 22);
+  EXPECT_TRUE(std::isinf(costOf(soles, 0.5)));
 }
 
 TEST(FloorSearch, AnEncoderOfAnAnkleIsNotNamedAsAFloorThatSlopes) {

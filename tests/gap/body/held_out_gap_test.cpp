@@ -5,6 +5,7 @@
 
 #include "gap/body/moving_robot.hpp"
 #include "gap/body/standing_robot.hpp"
+#include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
