@@ -150,7 +150,7 @@ std::vector<FloorEffect> gyroEffects() {
   out.push_back(scaleAt("gyro_range", "gyro", {.key = "range", .unit = "rad/s", .low = 0.05, .high = 35, .step = 0}, 30,
                         {0.01, 0.02, 0.035, 0.06, 0.1},
                         [](FloorModel& m, double value) { m.imu.range_rad_s = value; }));
-  out.push_back(scaleAt(kImuDelay, "imu", {.key = "delay", .unit = "s", .low = 0.0005, .high = 0.3, .step = 0}, 0.001,
+  out.push_back(scaleAt("imu_delay", "imu", {.key = "delay", .unit = "s", .low = 0.0005, .high = 0.3, .step = 0}, 0.001,
                         {5, 12, 25, 50}, [](FloorModel& m, double value) { m.imu.delay_s = value; }));
   for (FloorEffect& effect : out) effect.is_of_sensor = true;
   return out;

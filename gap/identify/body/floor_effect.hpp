@@ -42,9 +42,6 @@ struct FloorEffect {
   std::function<void(FloorModel&, const std::vector<double>& values)> apply;
 };
 
-/// Of both sensors.
-inline constexpr std::string_view kImuDelay = "imu_delay";
-
 /// For robots near this model. To add one: a row in floor_effect.cpp.
 std::vector<FloorEffect> floorEffects(const twin::Model& model);
 

@@ -40,7 +40,6 @@ class FloorSearch {
         evaluator_{residuals_, about_},
         unseen_{given, imu_, ignored} {
     out_.effects = effects_;
-    if (of_gyro_ && of_gyro_->placed.effect->id == kImuDelay) refineDelay(about);
     out_.rows = rowsWith(residuals_, {}, about.imu), out_.rows_after = rowsWith(residuals_, {}, about_.imu);
     excess_of_none_ = excessOf({});
   }
@@ -60,16 +59,6 @@ class FloorSearch {
   [[nodiscard]] FloorModel withGyro(FloorModel model) const {
     if (of_gyro_) of_gyro_->placed.effect->apply(model, of_gyro_->placed.values);
     return model;
-  }
-  /// Feet of another engine give way by some milliseconds. The simulation has the accelerometer as well, and the times
-  /// of impacts as noise; it is right where a fit of it agrees within these milliseconds.
-  void refineDelay(const FloorModel& about) {
-    FloorEvaluator without{residuals_, about};
-    const FloorFit fit = fitFloor(without, {of_gyro_->placed}, thresholds::kFloorIterations);
-    if (std::abs(fit.set[0].values[0] - of_gyro_->placed.values[0]) > thresholds::kStanceTiming.back()) return;
-    of_gyro_->placed = fit.set[0], of_gyro_->sigmas = fit.sigmas[0];
-    about_ = withGyro(about);
-    evaluator_ = FloorEvaluator{residuals_, about_};
   }
   std::vector<BodyRow> rowsWith(const FloorResiduals& residuals, const FloorSet& set) {
     return rowsWith(residuals, set, evaluator_.modelOf(set).imu);
@@ -158,7 +147,7 @@ class FloorSearch {
   const StanceSelection stance_;
   const std::shared_ptr<const std::vector<FloorEffect>> effects_;
   std::optional<FoundFloor> of_gyro_;  // found first: by the kinematics of feet
-  FloorModel about_;
+  const FloorModel about_;
   const FloorResiduals residuals_;
   std::unique_ptr<FloorResiduals> about_next_;   // noise of the candidate that was judged last
   std::unique_ptr<FloorResiduals> about_found_;  // noise of what was found, where rows are still open
