@@ -345,8 +345,9 @@ inline constexpr int kNumberSteps = 3;
 inline constexpr double kLawResidual = 0.002;
 /// Chance that the best of all names of a robot's mechanics earns its place in recordings of a right model.
 inline constexpr double kMechanicalChance = 0.01;
-/// Candidates of the linear screen that are fitted, and their solver iterations. A matter of run time.
-inline constexpr std::size_t kFittedMechanics = 8;
+/// Candidates of the linear screen that are fitted, and those of each limb in any case; solver iterations; candidates
+/// of a limb that may fail a log or the held-out ones. A matter of run time.
+inline constexpr std::size_t kFittedMechanics = 8, kFittedOfLimb = 3, kRefusedOfLimb = 2;
 inline constexpr int kMechanicsIterations = 8;
 /// Share of what is beyond noise in its limbs that an effect has to explain to be added: less is a patch on another
 /// effect. No evidence yet.

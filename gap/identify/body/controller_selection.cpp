@@ -64,6 +64,13 @@ class Selection {
   /// False: it explains too little, or the logs that are held out contradict it.
   [[nodiscard]] bool holds(const Candidate& candidate) const;
 
+  /// In one of its joints, close behind it, and not refused itself.
+  [[nodiscard]] bool isRivalOf(const Candidate& best, const Candidate& other) const {
+    const auto is_shared = [&](Joint joint) { return std::ranges::count(other.start.joints, joint) > 0; };
+    return best.evidence - other.evidence < thresholds::kRivalEvidence &&
+           std::ranges::any_of(best.start.joints, is_shared) && (other.evidence <= best.evidence || holds(other));
+  }
+
   const BodyHypothesis& baseline_;
   const double open_from_;
   const ControllerResiduals fitted_, held_out_;
@@ -140,8 +147,13 @@ std::vector<FoundMechanics> Selection::run() {
     if (all.empty()) break;
     forEach(all.size(), [&](std::size_t i) { fit(all[i]); });
     std::ranges::stable_sort(all, std::greater{}, &Candidate::evidence);
-    const Candidate& best = all.front();
-    if (best.evidence < -2 * std::log(thresholds::kMechanicalChance) || !holds(best)) break;
+    // One that explains too little, or that held-out logs contradict, hides no other joint's.
+    const auto earns = [&](const Candidate& one) {
+      return one.evidence >= -2 * std::log(thresholds::kMechanicalChance) && holds(one);
+    };
+    const auto first = std::ranges::find_if(all, earns);
+    if (first == all.end()) break;
+    const Candidate& best = *first;
     FoundMechanics one{.placed = best.fit.effects.back(),
                        .sigmas = best.fit.sigmas.back(),
                        .rivals = {},
@@ -150,8 +162,7 @@ std::vector<FoundMechanics> Selection::run() {
     for (const Candidate& rival : all) {
       const PlacedMechanics& other = rival.fit.effects.back();
       const auto is_same = [&](const PlacedMechanics& listed) { return listed.sameName(other); };
-      if (!is_same(one.placed) && std::ranges::none_of(one.rivals, is_same) &&
-          best.evidence - rival.evidence < thresholds::kRivalEvidence)
+      if (!is_same(one.placed) && std::ranges::none_of(one.rivals, is_same) && isRivalOf(best, rival))
         one.rivals.push_back(other);
     }
     found_.push_back(std::move(one));

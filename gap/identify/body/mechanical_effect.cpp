@@ -106,6 +106,11 @@ const std::vector<MechanicalEffect>& mechanicalEffects() {
   return kEffects;
 }
 
+std::size_t freeNumbers(const MechanicalEffect& effect) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      effect.numbers, [](const auto& number) { return !number.is_secondary || number.prior_sigma > 0; }));
+}
+
 // Right and left of a kind are neighbours in the table of joints.
 std::optional<Joint> leftOf(Joint joint) {
   const auto j = static_cast<std::size_t>(joint);

@@ -31,6 +31,9 @@ struct MechanicalEffect {
 /// In the order of the catalogue, then links. To add one: a row in mechanical_effect.cpp.
 const std::vector<MechanicalEffect>& mechanicalEffects();
 
+/// Numbers of a first search: refinements are free only where a prior holds them.
+std::size_t freeNumbers(const MechanicalEffect& effect);
+
 /// Values from which a search starts: the other numbers at their typical values.
 std::vector<std::vector<double>> startsOf(const MechanicalEffect& effect, const std::vector<double>& now);
 

@@ -7,49 +7,13 @@
 #include "gap/identify/body/declared_numbers.hpp"
 #include "gap/identify/body/held_out_motion.hpp"
 #include "gap/identify/body/log_agreement.hpp"
-#include "gap/identify/body/mechanics_entry.hpp"
-#include "gap/identify/body/mechanics_screen.hpp"
+#include "gap/identify/body/next_mechanics.hpp"
+#include "gap/identify/body/unexplained_mechanics.hpp"
 #include "gap/localize/body/close_by_numbers.hpp"
-#include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-/// Cost beyond that of a right model, in each limb.
-std::vector<double> excessOf(const ClampedRobot& robot, const BodyHypothesis& hypothesis) {
-  std::vector<double> out(robot.limbs().size());
-  forEach(out.size(), [&](std::size_t limb) {
-    const auto samples = static_cast<double>(robot.residuals(limb).size()) / 2;  // loads cost next to nothing
-    out[limb] = std::max(0.0, costOf(robot, {limb}, hypothesis) - samples);
-  });
-  return out;
-}
-
-/// Fitted candidates of the next effect, best first.
-std::vector<MechanicsEntry> nextEffects(const ClampedRobot& robot, const std::vector<FoundMechanics>& found,
-                                        const std::vector<std::size_t>& open, const std::vector<double>& excess) {
-  const std::vector<PlacedMechanics> now = effectsOf(found);
-  if (open.size() == robot.limbs().size()) {
-    std::vector<MechanicsEntry> common =
-        fitted(robot, found, screenMechanics(robot, open, now, ScreenedPlaces::kAllJoints));
-    double sum = 0;
-    for (const double one : excess) sum += one;
-    if (!common.empty() && common.front().gain > thresholds::kExplainedGapShare * sum) return common;
-  }
-  return fitted(robot, found, screenMechanics(robot, open, now, ScreenedPlaces::kAny));
-}
-
-double sumOver(const std::vector<std::size_t>& limbs, const std::vector<double>& of) {
-  double sum = 0;
-  for (const std::size_t limb : limbs) sum += of[limb];
-  return sum;
-}
-
-bool sharesLimb(const ClampedRobot& robot, const PlacedMechanics& effect, const std::vector<std::size_t>& limbs) {
-  return std::ranges::any_of(limbsOf(robot, {effect}),
-                             [&](std::size_t own) { return std::ranges::find(limbs, own) != limbs.end(); });
-}
 
 /// Estimates the noise about what was found, and fits all numbers in the limbs of the last effect together.
 void refit(ClampedRobot& robot, std::vector<FoundMechanics>& found) {
@@ -57,29 +21,155 @@ void refit(ClampedRobot& robot, std::vector<FoundMechanics>& found) {
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i].is_in_controller) continue;  // a motion that is not quite right must not move what loads show directly
-    if (sharesLimb(robot, found[i].placed, touched)) free.push_back(i);
+    if (isInOneOf(robot, found[i].placed, touched)) free.push_back(i);
   }
   robot.renew(touched, with(robot, effectsOf(found)));
   const MechanicsFit all = fitMechanics(robot, effectsOf(found), free, false, thresholds::kMechanicsIterations);
   for (const std::size_t i : free) found[i].placed = all.effects[i], found[i].sigmas = all.sigmas[i];
 }
 
-/// Drops the effects in limbs that are still open which have not removed most of what they found there.
-void dropUnexplained(const ClampedRobot& robot, double open_from, MechanicsSelection& selection) {
-  const std::vector<double> after = excessOf(robot, with(robot, effectsOf(selection.found)));
-  const std::vector<std::size_t> open = openLimbs(robot, selection.rows, open_from);
-  const auto isExplained = [&](const FoundMechanics& one) {
-    return one.is_in_controller || !sharesLimb(robot, one.placed, open) ||
-           sumOver(limbsOf(robot, {one.placed}), after) < (1 - thresholds::kExplainedGapShare) * one.excess_before;
-  };
-  std::vector<FoundMechanics> kept;
-  for (FoundMechanics& one : selection.found) {
-    if (isExplained(one))
-      kept.push_back(std::move(one));
-    else
-      selection.tried.push_back(std::move(one.placed));
+bool contains(const std::vector<PlacedMechanics>& list, const PlacedMechanics& placed) {
+  return std::ranges::any_of(list, [&](const auto& one) { return one.sameName(placed); });
+}
+
+bool isIn(std::size_t limb, const std::vector<std::size_t>& limbs) {
+  return std::ranges::find(limbs, limb) != limbs.end();
+}
+
+/// The best acceptable candidate is added until there is none. A candidate that logs refuse leaves its place to the
+/// next; a limb without an acceptable one is closed until something in it changes.
+class ForwardSelection {
+ public:
+  ForwardSelection(ClampedRobot& robot, const BodyTable& table)
+      : robot_{robot}, open_from_{table.open_from}, before_{excessOf(robot, robot.baseline())} {}
+
+  void run(MechanicsSelection& out);
+  void renewRows(MechanicsSelection& out, const std::vector<std::size_t>& limbs);
+
+ private:
+  /// False: there is no acceptable candidate.
+  bool step(MechanicsSelection& out);
+  bool add(MechanicsSelection& out, FoundMechanics one);
+  [[nodiscard]] double needed(const PlacedMechanics& placed) const;
+  [[nodiscard]] bool isAcceptable(const MechanicsEntry& entry) const;
+  [[nodiscard]] FoundMechanics foundOf(const MechanicsEntry& best, const std::vector<MechanicsEntry>& entries) const;
+  /// The number of the model that this effect is would explain as much within its prior.
+  [[nodiscard]] bool isNumber(const MechanicsEntry& entry) const;
+
+  ClampedRobot& robot_;
+  const double open_from_;
+  const std::vector<double> before_;      // excess of each limb
+  std::vector<double> excess_;            // the same, with what is found
+  std::vector<PlacedMechanics> numbers_;  // effects that are numbers of the model within their priors
+  std::vector<PlacedMechanics> refused_;
+  std::vector<std::size_t> closed_;  // limbs without an acceptable candidate
+};
+
+// Limbs whose residuals are new may be off within their priors.
+void ForwardSelection::renewRows(MechanicsSelection& out, const std::vector<std::size_t>& limbs) {
+  const BodyHypothesis now = with(robot_, effectsOf(out.found));
+  for (const PlacedMechanics& one : numbers_)
+    if (isInOneOf(robot_, one, limbs)) moveNumbers(robot_, one, now);
+  closeByNumbers(robot_, limbs, now, open_from_);
+  out.rows = mechanicsRows(robot_, now);
+  for (BodyRow& row : out.rows) row.open = row.significance > open_from_;
+  std::erase_if(closed_, [&](std::size_t limb) { return isIn(limb, limbs); });
+}
+
+double ForwardSelection::needed(const PlacedMechanics& placed) const {
+  const std::vector<std::size_t> limbs = limbsOf(robot_, {placed});
+  return std::max({-2 * std::log(thresholds::kMechanicalChance), thresholds::kMechanicsShare * sumOver(limbs, excess_),
+                   thresholds::kMechanicsRemainder * sumOver(limbs, before_)});
+}
+
+bool ForwardSelection::isNumber(const MechanicsEntry& entry) const {
+  return entry.evidence - std::max(0.0, entry.gain - priorCost(robot_, entry.placed())) < needed(entry.placed());
+}
+
+bool ForwardSelection::isAcceptable(const MechanicsEntry& entry) const {
+  const PlacedMechanics& placed = entry.placed();
+  return entry.evidence >= needed(placed) && !contains(refused_, placed);
+}
+
+bool ForwardSelection::add(MechanicsSelection& out, FoundMechanics one) {
+  const std::vector<std::size_t> limbs = limbsOf(robot_, {one.placed});
+  const std::vector<FoundMechanics> without = out.found;
+  const BodyHypothesis before = with(robot_, effectsOf(without));
+  const double unseen = heldOutError(robot_, before);
+  out.found.push_back(std::move(one));
+  refit(robot_, out.found);
+  const BodyHypothesis after = with(robot_, effectsOf(out.found));
+  const bool holds = !anyLogRefutes(robot_, limbs, before, after) &&
+                     !(heldOutError(robot_, after) > thresholds::kHeldOutRise * unseen);
+  if (!holds) {
+    refused_.push_back(out.found.back().placed);
+    out.tried.push_back(out.found.back().placed);
+    out.found = without;
+    robot_.renew(limbs, before);
   }
-  selection.found = std::move(kept);
+  renewRows(out, limbs);
+  return holds;
+}
+
+bool ForwardSelection::step(MechanicsSelection& out) {
+  std::vector<std::size_t> open = openLimbs(robot_, out.rows, open_from_);
+  std::erase_if(open, [&](std::size_t limb) { return isIn(limb, closed_); });
+  if (open.empty()) return false;
+  excess_ = excessOf(robot_, with(robot_, effectsOf(out.found)));
+  std::vector<MechanicsEntry> entries = nextMechanics(robot_, out.found, open, excess_);
+  std::vector<std::size_t> refused_in(robot_.limbs().size()), changed;
+  const auto dropLimbs = [&](const auto& is_done) {
+    std::erase_if(entries,
+                  [&](const auto& entry) { return std::ranges::any_of(limbsOf(robot_, {entry.placed()}), is_done); });
+  };
+  bool has_added = false;
+  while (!has_added) {
+    const auto best = std::ranges::find_if(entries, [&](const auto& entry) { return isAcceptable(entry); });
+    if (best == entries.end()) break;
+    const PlacedMechanics placed = best->placed();
+    const std::vector<std::size_t> limbs = limbsOf(robot_, {placed});
+    const bool is_number = isNumber(*best), is_new_number = is_number && !contains(numbers_, placed);
+    if (is_new_number) {
+      numbers_.push_back(placed);
+      renewRows(out, limbs);
+    } else if (!is_number) {
+      has_added = add(out, foundOf(*best, entries));
+      for (const std::size_t limb : limbs) ++refused_in[limb];
+    }
+    if (has_added || is_new_number) changed.insert(changed.end(), limbs.begin(), limbs.end());
+    // What is left by a number that has been moved already is of that number: it has no other name.
+    const bool is_done = has_added || is_number;
+    dropLimbs(
+        [&](std::size_t limb) { return is_done ? isIn(limb, limbs) : refused_in[limb] >= thresholds::kRefusedOfLimb; });
+  }
+  for (const std::size_t limb : open) {
+    const auto is_left = [&](const auto& entry) {
+      return isAcceptable(entry) && isInOneOf(robot_, entry.placed(), {limb});
+    };
+    if (!isIn(limb, changed) && std::ranges::none_of(entries, is_left)) closed_.push_back(limb);
+  }
+  return !changed.empty();
+}
+
+FoundMechanics ForwardSelection::foundOf(const MechanicsEntry& best, const std::vector<MechanicsEntry>& entries) const {
+  const std::vector<std::size_t> limbs = limbsOf(robot_, {best.placed()});
+  // Neither what logs refused nor what only another limb shows is a rival.
+  std::vector<MechanicsEntry> rivals{best};
+  for (const MechanicsEntry& entry : entries)
+    if (!entry.placed().sameName(best.placed()) && !contains(refused_, entry.placed()) &&
+        isInOneOf(robot_, entry.placed(), limbs))
+      rivals.push_back(entry);
+  return {.placed = best.placed(),
+          .sigmas = {},
+          .rivals = rivalsOf(rivals),
+          .gain = best.gain,
+          .excess_before = sumOver(limbs, excess_)};
+}
+
+void ForwardSelection::run(MechanicsSelection& out) {
+  renewRows(out, limbsOf(robot_, effectsOf(out.found)));
+  while (out.found.size() < thresholds::kMostMechanics && step(out)) {
+  }
 }
 
 }  // namespace
@@ -89,57 +179,11 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
   out.found = identifyControllers(robot.given(), robot.baseline(), table.open_from);
   if (!robot.isTestable()) return out;
   if (!out.found.empty()) robot.renew(limbsOf(robot, effectsOf(out.found)), with(robot, effectsOf(out.found)));
-  const double threshold = -2 * std::log(thresholds::kMechanicalChance);
-  const std::vector<double> before = excessOf(robot, robot.baseline());
-  std::vector<PlacedMechanics> numbers;  // effects that are numbers of the model within their priors
-  // Limbs whose residuals are new may be off within their priors.
-  const auto renewRows = [&](const std::vector<std::size_t>& limbs) {
-    for (const PlacedMechanics& one : numbers)
-      if (sharesLimb(robot, one, limbs)) moveNumbers(robot, one, with(robot, effectsOf(out.found)));
-    closeByNumbers(robot, limbs, with(robot, effectsOf(out.found)), table.open_from);
-    out.rows = mechanicsRows(robot, with(robot, effectsOf(out.found)));
-    for (BodyRow& row : out.rows) row.open = row.significance > table.open_from;
-  };
-  renewRows(limbsOf(robot, effectsOf(out.found)));
-  while (out.found.size() < thresholds::kMostMechanics) {
-    const std::vector<std::size_t> open = openLimbs(robot, out.rows, table.open_from);
-    if (open.empty()) break;
-    const std::vector<double> excess = excessOf(robot, with(robot, effectsOf(out.found)));
-    std::vector<MechanicsEntry> entries = nextEffects(robot, out.found, open, excess);
-    if (entries.empty()) break;
-    const MechanicsEntry& best = entries.front();
-    FoundMechanics one{.placed = best.fit.effects.back(), .sigmas = {}, .rivals = {}, .gain = best.gain};
-    const std::vector<std::size_t> limbs = limbsOf(robot, {one.placed});
-    one.excess_before = sumOver(limbs, excess);
-    const double share = std::max(thresholds::kMechanicsShare * sumOver(limbs, excess),
-                                  thresholds::kMechanicsRemainder * sumOver(limbs, before));
-    const double needed = std::max(threshold, share);
-    if (best.evidence < needed) break;
-    if (best.evidence - std::max(0.0, best.gain - priorCost(robot, one.placed)) < needed) {
-      if (std::ranges::any_of(numbers, [&](const auto& number) { return number.sameName(one.placed); })) break;
-      numbers.push_back(std::move(one.placed));
-      renewRows(limbs);
-      continue;
-    }
-    one.rivals = rivalsOf(entries);
-    const std::vector<FoundMechanics> without = out.found;
-    const double unseen = heldOutError(robot, with(robot, effectsOf(without)));
-    out.found.push_back(std::move(one));
-    refit(robot, out.found);
-    const BodyHypothesis before_it = with(robot, effectsOf(without)), with_it = with(robot, effectsOf(out.found));
-    if (anyLogRefutes(robot, limbs, before_it, with_it) ||
-        heldOutError(robot, with_it) > thresholds::kHeldOutRise * unseen) {
-      out.tried.push_back(out.found.back().placed);
-      out.found = without;
-      robot.renew(limbs, with(robot, effectsOf(without)));
-      renewRows(limbs);
-      break;
-    }
-    renewRows(limbs);
-  }
+  ForwardSelection search{robot, table};
+  search.run(out);
   const std::size_t count = out.found.size();
   dropUnexplained(robot, table.open_from, out);
-  if (out.found.size() < count) renewRows({});
+  if (out.found.size() < count) search.renewRows(out, {});
   out.held_out_before = heldOutError(robot, robot.baseline());
   out.held_out_after = heldOutError(robot, with(robot, effectsOf(out.found)));
   out.held_out_floor = kEncoderNoise;

@@ -1,0 +1,111 @@
+// How the search for effects of joints and links goes on where one limb, one joint or one name is not explained.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "core/random.hpp"
+#include "gap/body/moving_robot.hpp"
+#include "gap/identify/body/controller_selection.hpp"
+#include "gap/identify/body/next_mechanics.hpp"
+#include "gap/localize/body/close_by_numbers.hpp"
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::SizeIs;
+
+constexpr double kOpenFrom = 3.6;  // sigma: 1 % for 66 rows
+
+const MechanicalEffect& effectCalled(std::string_view id) {
+  return *std::ranges::find(mechanicalEffects(), id, &MechanicalEffect::id);
+}
+
+BodyHypothesis shippedWith(std::string_view id, const std::vector<Joint>& joints, const std::vector<double>& values) {
+  BodyHypothesis robot = shippedRobot();
+  for (const Joint joint : joints) effectCalled(id).apply(robot, joint, values);
+  return robot;
+}
+
+std::vector<Joint> allJoints() {
+  std::vector<Joint> all;
+  for (std::size_t joint = 0; joint < kJoints; ++joint) all.push_back(static_cast<Joint>(joint));
+  return all;
+}
+
+/// What no effect does, in every log of one joint: both load and position jump about.
+void disturb(BodyCase& given, Joint joint, double by_rad) {
+  Rng rng{7};
+  for (Trajectory& log : given.joints.logs) {
+    if (log.joint != joint) continue;
+    for (std::size_t row = 0; row < log.rows(); ++row) {
+      const double error = by_rad * rng.normal();
+      log.position_rad[row] += error;
+      log.load[row] += 2 * error;
+    }
+  }
+}
+
+MechanicsSelection selectionFor(const BodyCase& given) {
+  ClampedRobot robot{given};
+  return identifyMechanics(robot, localize(given, RestingImu{given.joints.model}, robot));
+}
+
+std::vector<std::string> namesOf(const std::vector<FoundMechanics>& found) {
+  std::vector<std::string> out;
+  for (const FoundMechanics& one : found) {
+    out.emplace_back(one.placed.effect->id);
+    for (const Joint joint : one.placed.joints) out.back() += " " + std::string{row(joint).name};
+  }
+  return out;
+}
+
+TEST(MechanicsSearch, ALimbThatNothingExplainsHidesNoEffectOfAnother) {
+  BodyCase given = movingRobot(shippedWith("viscous", {Joint::kPelvR}, {0.08}));
+  disturb(given, Joint::kArmUpperR, 0.05);
+  EXPECT_THAT(namesOf(selectionFor(given).found), Contains(testing::HasSubstr("PelvR")));
+}
+
+TEST(MechanicsSearch, AJointWhoseLoadsNothingExplainsHidesNoEffectOfAnothersLoads) {
+  BodyCase given = movingRobot(shippedWith("kp_scale", {Joint::kLegUpperR, Joint::kLegUpperL}, {1.1}));
+  disturb(given, Joint::kArmUpperR, 0.05);
+  EXPECT_THAT(namesOf(identifyControllers(given, shippedRobot(), kOpenFrom)), Contains("kp_scale LegUpperR LegUpperL"));
+}
+
+TEST(MechanicsSearch, TheBestCandidatesOfEveryLimbAreFitted) {
+  const BodyCase given = movingRobot(shippedRobot());
+  const ClampedRobot robot{given};
+  std::vector<MechanicsCandidate> candidates;
+  for (const MechanicalEffect& effect : mechanicalEffects())
+    candidates.push_back({{&effect, {Joint::kArmUpperR}, std::vector<double>(effect.numbers.size(), 0.0)}, 1000});
+  candidates.push_back({{&effectCalled("coulomb"), {Joint::kPelvR}, {0.05}}, 30});
+  std::vector<std::string> names;
+  std::size_t of_link = 0;
+  for (const MechanicsCandidate& one : shortlist(robot, candidates)) {
+    names.push_back(std::string{one.placed.effect->id} + " " + std::string{row(one.placed.joints.front()).name});
+    of_link += one.placed.effect->is_of_link ? 1 : 0;
+  }
+  EXPECT_THAT(names, Contains("coulomb PelvR"));
+  EXPECT_LE(of_link, 1u) << "mass and centre of mass of a link take one place";
+}
+
+TEST(MechanicsSearch, NumbersHaveTheirPriceBeforeAFit) {
+  const BodyCase given = movingRobot(shippedRobot());
+  const ClampedRobot robot{given};
+  const auto one = [](std::string_view id, double gain) {
+    const MechanicalEffect& effect = effectCalled(id);
+    return MechanicsCandidate{{&effect, {Joint::kArmUpperR}, std::vector<double>(effect.numbers.size(), 0.0)}, gain};
+  };
+  EXPECT_EQ(shortlist(robot, {one("link_mass", 102), one("viscous", 100)}).front().placed.effect->id, "viscous");
+}
+
+
+
+
+
+
+
+}  // namespace
+}  // namespace darwinop::gap
