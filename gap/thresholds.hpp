@@ -343,6 +343,8 @@ inline constexpr double kPriorStep = 1;
 inline constexpr int kNumberSteps = 3;
 /// Duty. Noise of measured load minus control law, whatever the register resolves: a position that is wrong by a tick.
 inline constexpr double kLawResidual = 0.002;
+/// Limbs with an open row from which an effect of all joints is looked for: two are a pair.
+inline constexpr std::size_t kLimbsOfAll = 3;
 /// Chance that the best of all names of a robot's mechanics earns its place in recordings of a right model.
 inline constexpr double kMechanicalChance = 0.01;
 /// Candidates of the linear screen that are fitted, and those of each limb in any case; solver iterations; candidates

@@ -12,6 +12,23 @@ bool refutes(const LogGain& log) {
   return log.change > thresholds::kDecidingChange && log.gain < -log.change / 2;
 }
 
+bool supports(const LogGain& log) {
+  return log.change > thresholds::kDecidingChange && log.gain > log.change / 2;
+}
+
+namespace {
+
+LogGain gainIn(const LimbResiduals& residuals, const BodyHypothesis& without, const BodyHypothesis& with) {
+  const Eigen::VectorXd before = residuals.of(without), after = residuals.of(with);
+  return {robustCost(before) - robustCost(after), (after - before).squaredNorm()};
+}
+
+}  // namespace
+
+LogGain gainOf(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& without, const BodyHypothesis& with) {
+  return gainIn(robot.residuals(limb), without, with);
+}
+
 bool anyLogRefutes(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& without,
                    const BodyHypothesis& with) {
   std::map<std::size_t, LogGain> logs;

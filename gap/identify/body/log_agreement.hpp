@@ -17,6 +17,11 @@ struct LogGain {
 /// The log shows that the effect stands for something else, such as chaos of a release in another log.
 bool refutes(const LogGain& log);
 
+/// The log shows the effect.
+bool supports(const LogGain& log);
+
+/// All clamped logs of a limb together.
+LogGain gainOf(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& without, const BodyHypothesis& with);
 /// A clamped log refutes the difference between two hypotheses about these limbs.
 bool anyLogRefutes(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& without,
                    const BodyHypothesis& with);

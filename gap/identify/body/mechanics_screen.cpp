@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "gap/parallel/parallel.hpp"
@@ -131,6 +132,14 @@ MechanicsCandidate groupOf(const MechanicalEffect& effect, const std::vector<std
   return best;
 }
 
+std::vector<std::size_t> screened(const ClampedRobot& robot, const std::vector<std::size_t>& limbs,
+                                  ScreenedPlaces places) {
+  if (places == ScreenedPlaces::kAny) return limbs;
+  std::vector<std::size_t> all(robot.limbs().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 }  // namespace
 
 std::vector<MechanicsCandidate> screenMechanics(const ClampedRobot& robot, const std::vector<std::size_t>& limbs,
@@ -139,7 +148,7 @@ std::vector<MechanicsCandidate> screenMechanics(const ClampedRobot& robot, const
   std::vector<Eigen::VectorXd> base(robot.limbs().size());
   std::vector<double> cost(robot.limbs().size());
   std::vector<std::vector<Joint>> sets;
-  for (const std::size_t limb : limbs) {
+  for (const std::size_t limb : screened(robot, limbs, places)) {
     base[limb] = robot.residuals(limb).of(now);
     cost[limb] = robustCost(base[limb]);
     if (places == ScreenedPlaces::kAllJoints) sets.emplace_back();
@@ -173,8 +182,7 @@ std::vector<MechanicsCandidate> screenMechanics(const ClampedRobot& robot, const
       const std::optional<Joint> left = leftOf(joint);
       if (left && by_joint.contains(*left)) add(groupOf(effect, {parts, by_joint[*left]}, now, base, cost));
     }
-    if (!all.empty() && !effect.is_of_link && limbs.size() == robot.limbs().size())
-      add(groupOf(effect, all, now, base, cost));
+    if (places == ScreenedPlaces::kAllJoints && !all.empty()) add(groupOf(effect, all, now, base, cost));
   }
   std::ranges::stable_sort(out, std::greater{}, &MechanicsCandidate::predicted_gain);
   return out;

@@ -10,11 +10,11 @@ struct MechanicsCandidate {
   double predicted_gain = 0;  // of the cost
 };
 
-/// kAllJoints: an effect that all joints have, which takes a fifth of the time.
+/// kAny: in one joint of these limbs, or in a pair with both joints in them. kAllJoints: an effect that all joints of
+/// the robot have, in a fifth of the time; a limb that is closed is asked as well.
 enum class ScreenedPlaces : std::uint8_t { kAny, kAllJoints };
 
-/// Of the effects in these limbs beside those that are `found`, in one joint, a pair and all; best first. A pair needs
-/// both of its limbs, all joints need all limbs.
+/// Effects beside those that are `found`; best first.
 std::vector<MechanicsCandidate> screenMechanics(const ClampedRobot& robot, const std::vector<std::size_t>& limbs,
                                                 const std::vector<PlacedMechanics>& found, ScreenedPlaces places);
 

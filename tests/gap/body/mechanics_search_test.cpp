@@ -101,7 +101,33 @@ TEST(MechanicsSearch, NumbersHaveTheirPriceBeforeAFit) {
   EXPECT_EQ(shortlist(robot, {one("link_mass", 102), one("viscous", 100)}).front().placed.effect->id, "viscous");
 }
 
+TEST(MechanicsSearch, ACandidateForAllJointsIsScreenedWhereTheHeadIsClosed) {
+  const BodyCase given = movingRobot(shippedWith("viscous", allJoints(), {0.03}));
+  const ClampedRobot robot{given};
+  const std::size_t head = robot.limbOf(Joint::kNeck);
+  std::vector<std::size_t> open;
+  for (std::size_t limb = 0; limb < robot.limbs().size(); ++limb)
+    if (limb != head) open.push_back(limb);
+  const std::vector<MechanicsEntry> entries =
+      nextMechanics(robot, {}, open, std::vector<double>(robot.limbs().size(), 0.0));
+  ASSERT_FALSE(entries.empty());
+  EXPECT_EQ(entries.front().placed().effect->id, "viscous");
+  EXPECT_THAT(entries.front().placed().joints, SizeIs(kJoints));
+}
 
+TEST(MechanicsSearch, TheOtherJointOfAPairIsAskedWhereItsLimbIsClosed) {
+  const std::vector<Joint> both{Joint::kArmUpperR, Joint::kArmUpperL};
+  for (const bool is_pair : {true, false}) {
+    const BodyCase given =
+        movingRobot(shippedWith("viscous", is_pair ? both : std::vector<Joint>{Joint::kArmUpperR}, {0.05}));
+    const ClampedRobot robot{given};
+    const std::vector<MechanicsEntry> entries =
+        nextMechanics(robot, {}, {robot.limbOf(Joint::kArmUpperR)}, std::vector<double>(robot.limbs().size(), 1e9));
+    ASSERT_FALSE(entries.empty());
+    EXPECT_EQ(entries.front().placed().effect->id, "viscous");
+    EXPECT_THAT(entries.front().placed().joints, SizeIs(is_pair ? 2 : 1));
+  }
+}
 
 
 
