@@ -12,7 +12,7 @@ constexpr std::array kParameters{
               .unit = "N m",
               .meaning = "torque that holds a resting joint and brakes a moving one",
               .low = 0,
-              .high = 0.3,
+              .high = 0.4,
               .neutral = 0,
               .typical = 0.05,
               .logarithmic = true,

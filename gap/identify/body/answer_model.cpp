@@ -66,8 +66,17 @@ void addMechanics(AnsweredRobot& robot, const MechanicalEffect& effect, const js
       addToLink(robot, effect, joint, params, model);
       continue;
     }
-    std::vector<double> values = effect.values_in(robot.model.robot.robot, joint);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = numberOf(params, effect.numbers[i].key, 0, values[i]);
+    const BodyHypothesis& now = robot.model.robot.robot;
+    std::vector<double> values = effect.values_in(now, joint);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string key{effect.numbers[i].key};
+      if (!effect.numbers[i].is_addition) {
+        values[i] = numberOf(params, key, 0, values[i]);
+        continue;
+      }
+      const double own = ownNumber(now, effect, joint);
+      values[i] = numberOf(params, key + std::string{kAddedEnding}, 0, numberOf(params, key, 0, own) - own);
+    }
     effect.apply(robot.model.robot.robot, joint, values);
   }
 }

@@ -19,27 +19,44 @@ bool isSearched(const twin::EffectInfo& info) {
          std::ranges::find(kElsewhere, info.id) == kElsewhere.end();
 }
 
+/// Every joint has friction, some more than others: what is hidden in several of them comes on top of each one's own.
+bool isAdded(const twin::Parameter& parameter) {
+  return parameter.role == twin::ParameterRole::kDryFriction || parameter.role == twin::ParameterRole::kViscousFriction;
+}
+
+std::vector<double> valuesOf(const BodyHypothesis& robot, const twin::EffectInfo& info, Joint joint) {
+  const Hypothesis alone = atJoint(robot.servos, joint);
+  if (const twin::EffectSetting* const there = alone.find(info.id)) return there->values;
+  std::vector<double> neutral;
+  for (const twin::Parameter& parameter : info.parameters) neutral.push_back(parameter.neutral);
+  return neutral;
+}
+
 MechanicalEffect ofServo(const twin::EffectInfo& info) {
   MechanicalEffect out{.id = info.id, .is_of_link = false, .numbers = {}, .apply = {}, .values_in = {}};
   for (const twin::Parameter& parameter : info.parameters)
     out.numbers.push_back({.key = parameter.key,
                            .unit = parameter.unit,
-                           .low = parameter.low,
+                           .low = isAdded(parameter) ? -parameter.high : parameter.low,
                            .high = parameter.high,
                            .neutral = parameter.neutral,
                            .typical = parameter.typical,
                            .prior_sigma = 0,
                            .is_secondary = parameter.secondary || parameter.fixed,
-                           .is_logarithmic = parameter.logarithmic});
+                           .is_logarithmic = parameter.logarithmic && !isAdded(parameter),
+                           .is_addition = isAdded(parameter)});
   out.apply = [&info](BodyHypothesis& robot, Joint joint, const std::vector<double>& values) {
-    robot.servos.with(info, {.kind = Place::Kind::kJoint, .name = std::string{row(joint).name}}).values = values;
+    std::vector<double> total = values;
+    const std::vector<double> own = valuesOf(robot, info, joint);
+    for (std::size_t i = 0; i < total.size(); ++i)
+      if (isAdded(info.parameters[i])) total[i] = std::max(info.parameters[i].low, own[i] + values[i]);
+    robot.servos.with(info, {.kind = Place::Kind::kJoint, .name = std::string{row(joint).name}}).values = total;
   };
   out.values_in = [&info](const BodyHypothesis& robot, Joint joint) {
-    const Hypothesis alone = atJoint(robot.servos, joint);
-    if (const twin::EffectSetting* const there = alone.find(info.id)) return there->values;
-    std::vector<double> neutral;
-    for (const twin::Parameter& parameter : info.parameters) neutral.push_back(parameter.neutral);
-    return neutral;
+    std::vector<double> values = valuesOf(robot, info, joint);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (isAdded(info.parameters[i])) values[i] = 0;
+    return values;
   };
   return out;
 }
@@ -106,6 +123,10 @@ const std::vector<MechanicalEffect>& mechanicalEffects() {
   return kEffects;
 }
 
+double ownNumber(const BodyHypothesis& robot, const MechanicalEffect& effect, Joint joint) {
+  return valuesOf(robot, *twin::findEffect(effect.id), joint).front();
+}
+
 std::size_t freeNumbers(const MechanicalEffect& effect) {
   return static_cast<std::size_t>(std::ranges::count_if(
       effect.numbers, [](const auto& number) { return !number.is_secondary || number.prior_sigma > 0; }));
@@ -140,7 +161,9 @@ std::vector<std::vector<double>> startsOf(const MechanicalEffect& effect, const 
     const MechanicalEffect::Number& number = effect.numbers[i];
     if (number.is_secondary) continue;
     const double step = number.typical - number.neutral;
-    if (step == 0)  // searched together with the others: torque and duty of a limit
+    if (number.is_addition)
+      for (const double factor : {-0.5, 0.5, 2.5}) add(i, factor * step);
+    else if (step == 0)  // searched together with the others: torque and duty of a limit
       add(i, number.is_logarithmic ? std::sqrt(number.low * number.high) : (number.low + 3 * number.high) / 4);
     else if (number.is_logarithmic)
       for (const double factor : {0.5, 2.5})

@@ -11,6 +11,9 @@
 
 namespace darwinop::gap {
 
+/// Ends the key of an addition in an answer: `friction_added`. `friction` is the total.
+inline constexpr std::string_view kAddedEnding = "_added";
+
 struct MechanicalEffect {
   struct Number {
     std::string_view key, unit;
@@ -18,15 +21,19 @@ struct MechanicalEffect {
     double prior_sigma = 0;     // about neutral; 0: flat in the range
     bool is_secondary = false;  // at its typical value until the effect is accepted
     bool is_logarithmic = false;
+    bool is_addition = false;  // to the joint's own number in the model
   };
   std::string_view id;
   bool is_of_link = false;  // in one link; others also in a pair or in all joints
   std::vector<Number> numbers;
   /// With these values in this joint, or in the link that it moves.
   std::function<void(BodyHypothesis&, Joint, const std::vector<double>& values)> apply;
-  /// Values of the hypothesis itself.
+  /// Values of the hypothesis itself; of an addition: 0.
   std::function<std::vector<double>(const BodyHypothesis&, Joint)> values_in;
 };
+
+/// Of an effect whose first number is an addition: what the robot has at this joint.
+double ownNumber(const BodyHypothesis& robot, const MechanicalEffect& effect, Joint joint);
 
 /// In the order of the catalogue, then links. To add one: a row in mechanical_effect.cpp.
 const std::vector<MechanicalEffect>& mechanicalEffects();

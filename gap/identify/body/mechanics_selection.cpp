@@ -184,6 +184,10 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
   const std::size_t count = out.found.size();
   dropUnexplained(robot, table.open_from, out);
   if (out.found.size() < count) search.renewRows(out, {});
+  for (FoundMechanics& one : out.found)
+    if (one.placed.effect->numbers.front().is_addition)
+      for (const Joint joint : one.placed.joints)
+        one.own.push_back(ownNumber(robot.baseline(), *one.placed.effect, joint));
   out.held_out_before = heldOutError(robot, robot.baseline());
   out.held_out_after = heldOutError(robot, with(robot, effectsOf(out.found)));
   out.held_out_floor = kEncoderNoise;

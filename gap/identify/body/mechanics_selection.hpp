@@ -12,6 +12,7 @@ struct FoundMechanics {
   std::vector<PlacedMechanics> rivals;  // that the data do not exclude, best first
   double gain = 0;                      // of the cost, by this effect
   double excess_before = 0;             // beyond noise in its limbs when it was added
+  std::vector<double> own = {};         // of an addition: the number of the model in each of its joints
   bool is_in_controller = false;        // found in the loads alone, whatever else is wrong in its limbs
 };
 

@@ -20,6 +20,11 @@ struct Quantity {
   std::vector<double> values, sigmas;
 };
 
+/// The total, where it is the same in all joints.
+bool hasTotal(const FoundMechanics& one) {
+  return !one.own.empty() && std::ranges::all_of(one.own, [&](double own) { return own == one.own.front(); });
+}
+
 /// `com`: of the link, where it is known: the place of a mass is then in the link's frame, else from its centre of
 /// mass.
 std::vector<Quantity> quantitiesOf(const FoundMechanics& one, const Eigen::Vector3d& com) {
@@ -29,6 +34,13 @@ std::vector<Quantity> quantitiesOf(const FoundMechanics& one, const Eigen::Vecto
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     double sigma = i < one.sigmas.size() ? one.sigmas[i] : 0;
     if (sigma > numbers[i].high - numbers[i].low) sigma = 0;  // the logs do not show it
+    if (numbers[i].is_addition) {
+      const double added = one.placed.values[i];
+      const double shown = hasTotal(one) ? std::max(0.0, one.own.front() + added) : added;
+      out.push_back({std::string{numbers[i].key}, std::string{numbers[i].unit}, {shown}, {sigma}});
+      out.push_back({std::string{numbers[i].key} + std::string{kAddedEnding}, "", {added}, {sigma}});
+      continue;
+    }
     if (!one.placed.effect->is_of_link || numbers[i].unit != "m") {
       out.push_back({std::string{numbers[i].key}, std::string{numbers[i].unit}, {one.placed.values[i]}, {sigma}});
       continue;
@@ -68,7 +80,9 @@ std::string asText(const MechanicsSelection& selection) {
     text += text::formatted("  %s at %s", std::string{one.placed.effect->id}.c_str(),
                             placesText(one.placed.joints).c_str());
     for (const Quantity& of : quantitiesOf(one, Eigen::Vector3d::Zero())) {
-      text += ", " + (of.key == "point" ? "from its centre of mass" : of.key);
+      if (of.key.ends_with(kAddedEnding)) continue;  // for programs
+      const bool is_added = !one.own.empty() && !hasTotal(one);
+      text += std::string{is_added ? ", added " : ", "} + (of.key == "point" ? "from its centre of mass" : of.key);
       for (std::size_t i = 0; i < of.values.size(); ++i)
         text += text::formatted(of.sigmas[i] > 0 ? " %.4g +-%.2g" : " %.4g", of.values[i],
                                 thresholds::kInterval90 * of.sigmas[i]);

@@ -49,16 +49,15 @@ std::vector<BodyNuisance> nuisancesOf(const BodyCase& given, const Limb& limb) {
       for (const auto role : {twin::ParameterRole::kDryFriction, twin::ParameterRole::kViscousFriction}) {
         const twin::EffectInfo& effect = *twin::effectWith(role);
         const std::vector<double> believed = valuesAt({.servos = bodyBaselineOf(given), .links = {}}, effect, joint);
-        out.push_back(
-            {name + " " + std::string{effect.id},
-             [&effect, joint, sigma](BodyHypothesis& robot, double sigmas) {
-               scaleFriction(robot, effect, joint, 1 + sigmas * sigma);
-             },
-             [&effect, joint, believed](const BodyHypothesis& robot) {
-               return valuesAt(robot, effect, joint) != believed;
-             },
-             believed.empty() ? std::string_view{} : effect.id, joint,
-             [believed, sigma](const std::vector<double>& values) { return (values[0] / believed[0] - 1) / sigma; }});
+        out.push_back({name + " " + std::string{effect.id},
+                       [&effect, joint, sigma](BodyHypothesis& robot, double sigmas) {
+                         scaleFriction(robot, effect, joint, 1 + sigmas * sigma);
+                       },
+                       [&effect, joint, believed](const BodyHypothesis& robot) {
+                         return valuesAt(robot, effect, joint) != believed;
+                       },
+                       believed.empty() ? std::string_view{} : effect.id, joint,
+                       [believed, sigma](const std::vector<double>& added) { return added[0] / believed[0] / sigma; }});
       }
     if (const double sigma = given.sigmaOf("body.mass"); sigma > 0)
       out.push_back({name + " mass",

@@ -15,8 +15,8 @@ struct BodyNuisance {
   std::function<void(BodyHypothesis&, double sigmas)> move;  // from where the hypothesis has it
   /// An effect of the hypothesis has a number of its own in its place. Empty: never.
   std::function<bool(const BodyHypothesis&)> is_replaced = {};
-  /// The effect of one joint or link that has the same number, and how far its values are from the declared one, in
-  /// prior standard deviations.
+  /// The effect of one joint or link that adds to the same number, and how far its values move that, in prior standard
+  /// deviations.
   std::string_view effect = {};
   Joint at{};
   std::function<double(const std::vector<double>& values)> sigmas_of = {};

@@ -1,10 +1,15 @@
 #include "gap/report/body/body_additions.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "gap/identify/body/answer_model.hpp"
+#include "gap/identify/body/mechanical_effect.hpp"
 #include "gap/plant/body/model_with.hpp"
 #include "gap/report/messages.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -31,17 +36,55 @@ const json& resultOf(const json& all, const std::string& name) {
   throw std::runtime_error("has no result of case " + name);
 }
 
-AddedEffect servoEffect(const json& from, const std::string& because) {
-  AddedEffect effect{.id = from.at("id"), .values = {}, .because = {because}, .joints = {}};
-  if (from.at("at") != "all") effect.joints = jointsAt(from.at("at"));
+/// What the model has in this joint of a number that effects add to; 0: it has none.
+double ownOf(const twin::Model& model, const std::string& id, Joint joint) {
+  double common = 0;
+  for (const twin::EffectSetting& effect : model.effects) {
+    if (effect.info->id != id) continue;
+    if (effect.joint == joint) return effect.values.front();
+    if (!effect.joint) common = effect.values.front();
+  }
+  return common;
+}
+
+/// Joints whose own numbers are equal, by that number.
+std::map<double, std::vector<Joint>> byOwn(const twin::Model& model, const std::string& id, const json& at) {
+  std::map<double, std::vector<Joint>> out;
+  for (const Joint joint : jointsAt(at)) out[ownOf(model, id, joint)].push_back(joint);
+  return out;
+}
+
+/// `own`: of these joints, which get it and what is added; a total is the same in all.
+AddedEffect servoEffect(const json& from, const std::string& because, std::vector<Joint> joints,
+                        std::optional<double> own) {
+  AddedEffect effect{.id = from.at("id"), .values = {}, .because = {because}, .joints = std::move(joints)};
   const json intervals = from.value("interval_90", json::object());
-  for (const auto& [key, value] : from.at("params").items()) {
-    AddedValue added{key, sixDigits(value.get<double>()), std::nan(""), std::nan("")};
-    if (intervals.contains(key) && intervals[key].size() == 2 && intervals[key][0].is_number())
-      added.low = intervals[key][0], added.high = intervals[key][1];
+  for (const auto& [name, value] : from.at("params").items()) {
+    const bool is_added = name.ends_with(kAddedEnding);
+    const std::string key = is_added ? name.substr(0, name.size() - kAddedEnding.size()) : name;
+    if (is_added != (own && from.at("params").contains(key + std::string{kAddedEnding}))) continue;
+    const double by = is_added ? *own : 0;
+    AddedValue added{key, sixDigits(std::max(is_added ? 0.0 : value.get<double>(), by + value.get<double>())),
+                     std::nan(""), std::nan("")};
+    if (intervals.contains(name) && intervals[name].size() == 2 && intervals[name][0].is_number())
+      added.low = by + intervals[name][0].get<double>(), added.high = by + intervals[name][1].get<double>();
     effect.values.push_back(added);
   }
   return effect;
+}
+
+/// One section each for joints that have different numbers of their own.
+std::vector<AddedEffect> servoEffects(const json& from, const std::string& because, const twin::Model& model) {
+  const json& at = from.at("at");
+  const std::vector<Joint> all = at == "all" ? std::vector<Joint>{} : jointsAt(at);
+  const auto items = from.at("params").items();
+  if (std::none_of(items.begin(), items.end(), [](const auto& item) { return item.key().ends_with(kAddedEnding); }))
+    return {servoEffect(from, because, all, {})};
+  const std::map<double, std::vector<Joint>> groups = byOwn(model, from.at("id"), at);
+  std::vector<AddedEffect> out;
+  for (const auto& [own, joints] : groups)
+    out.push_back(servoEffect(from, because, groups.size() == 1 ? all : joints, own));
+  return out;
 }
 
 /// Every key whose value the two models do not share.
@@ -78,7 +121,7 @@ BodyAdditions bodyAdditionsIn(std::string_view results, const std::string& file,
     AnsweredRobot robot = unchangedRobot(model);
     for (const json& effect : result.at("effects")) {
       if (twin::findEffect(effect.at("id").get<std::string>()) != nullptr)
-        out.additions.effects.push_back(servoEffect(effect, because));
+        std::ranges::move(servoEffects(effect, because, model), std::back_inserter(out.additions.effects));
       else
         addEffect(robot, effect, model);
     }

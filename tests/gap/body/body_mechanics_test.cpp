@@ -97,7 +97,7 @@ TEST(BodyMechanics, FrictionOfTheNeckIsNamedWithItsNumberAndNothingElseIs) {
   const FoundMechanics& found = answer.mechanics.found.front();
   EXPECT_EQ(found.placed.effect->id, "viscous");
   EXPECT_THAT(found.placed.joints, testing::ElementsAre(Joint::kNeck));
-  EXPECT_NEAR(found.placed.values[0], 0.04, 0.002);
+  EXPECT_NEAR(found.own.front() + found.placed.values[0], 0.04, 0.002);
   EXPECT_LT(answer.mechanics.held_out_after, 0.85 * answer.mechanics.held_out_before);
   const auto json = asJson(given, answer);
   EXPECT_EQ(json["effects"][0]["at"], "Neck");
@@ -149,7 +149,7 @@ TEST(BodyMechanics, AFrictionBeyondItsPriorIsNamedWithItsNumber) {
   const BodyIdentification answer = identify(given);
   ASSERT_THAT(answer.mechanics.found, SizeIs(1));
   EXPECT_EQ(answer.mechanics.found.front().placed.effect->id, "coulomb");
-  EXPECT_NEAR(answer.mechanics.found.front().placed.values[0], 0.125, 0.015);
+  EXPECT_NEAR(answer.mechanics.found.front().placed.values[0], 0.1, 0.015) << "beyond the 0.025 of the model";
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ struct DeclaredNumbers : testing::Test {
 
 TEST_F(DeclaredNumbers, AFrictionCostsItsSquaredDistanceFromTheDeclaredOneInEachJoint) {
   const ClampedRobot robot{given};
-  EXPECT_NEAR(priorCost(robot, placed("coulomb", {Joint::kNeck}, {1.6 * kDeclared})), 9, 1e-9);
-  EXPECT_NEAR(priorCost(robot, placed("coulomb", {Joint::kArmUpperR, Joint::kArmUpperL}, {1.2 * kDeclared})), 2, 1e-9);
+  EXPECT_NEAR(priorCost(robot, placed("coulomb", {Joint::kNeck}, {0.6 * kDeclared})), 9, 1e-9);
+  EXPECT_NEAR(priorCost(robot, placed("coulomb", {Joint::kArmUpperR, Joint::kArmUpperL}, {0.2 * kDeclared})), 2, 1e-9);
 }
 
 TEST_F(DeclaredNumbers, AShiftOfACentreOfMassCostsItsLengthAndAMassItsShareOfTheLink) {
@@ -41,7 +41,7 @@ TEST_F(DeclaredNumbers, AShiftOfACentreOfMassCostsItsLengthAndAMassItsShareOfThe
 TEST_F(DeclaredNumbers, WhatTheModelHasNoNumberForAndAnExactModelLimitNothing) {
   EXPECT_TRUE(std::isinf(priorCost(ClampedRobot{given}, placed("backlash", {Joint::kNeck}, {0.02}))));
   given.trust.clear();
-  EXPECT_TRUE(std::isinf(priorCost(ClampedRobot{given}, placed("coulomb", {Joint::kNeck}, {0.03}))));
+  EXPECT_TRUE(std::isinf(priorCost(ClampedRobot{given}, placed("coulomb", {Joint::kNeck}, {0.005}))));
 }
 
 TEST_F(DeclaredNumbers, MovedNumbersOfAnotherFrictionExplainItsMotion) {
@@ -54,7 +54,7 @@ TEST_F(DeclaredNumbers, MovedNumbersOfAnotherFrictionExplainItsMotion) {
   ClampedRobot robot{given};
   const std::size_t limb = robot.limbOf(Joint::kNeck);
   const double before = robot.residuals(limb).of(robot.baseline()).squaredNorm();
-  moveNumbers(robot, placed("coulomb", {Joint::kNeck}, {2 * kDeclared}), robot.baseline());
+  moveNumbers(robot, placed("coulomb", {Joint::kNeck}, {kDeclared}), robot.baseline());
   EXPECT_LT(robot.residuals(limb).of(robot.baseline()).squaredNorm(), before);
 }
 

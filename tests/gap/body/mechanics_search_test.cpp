@@ -131,7 +131,21 @@ TEST(MechanicsSearch, TheOtherJointOfAPairIsAskedWhereItsLimbIsClosed) {
 
 
 
+TEST(MechanicsSearch, AFrictionIsFoundAsAnAdditionToEachJointsOwn) {
+  const MechanicsSelection all = selectionFor(movingRobot(shippedWith("coulomb", allJoints(), {0.05})));
+  ASSERT_THAT(all.found, SizeIs(1));
+  EXPECT_EQ(all.found.front().placed.effect->id, "coulomb");
+  EXPECT_THAT(all.found.front().placed.joints, SizeIs(kJoints));
+  EXPECT_NEAR(all.found.front().placed.values[0], 0.05, 0.005);
+}
 
+TEST(MechanicsSearch, AFrictionOfAnAnkleIsFoundBeyondTheLargestOfASingleServo) {
+  const MechanicsSelection answer = selectionFor(movingRobot(shippedWith("coulomb", {Joint::kAnkleR}, {0.1})));
+  ASSERT_THAT(answer.found, SizeIs(1));
+  EXPECT_EQ(namesOf(answer.found).front(), "coulomb AnkleR");
+  EXPECT_NEAR(answer.found.front().placed.values[0], 0.1, 0.01);
+  EXPECT_THAT(answer.found.front().own, ElementsAre(0.25));
+}
 
 }  // namespace
 }  // namespace darwinop::gap

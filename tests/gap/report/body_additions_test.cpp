@@ -53,6 +53,14 @@ TEST(BodyAdditions, AnEffectOfAllJointsReachesThoseWithASectionOfTheirOwn) {
   EXPECT_EQ(frictionOf(model, Joint::kAnkleR), 0.05);
 }
 
+TEST(BodyAdditions, AnAddedFrictionIsOnTopOfEachJointsOwn) {
+  const twin::Model model =
+      modelWith(R"({"id": "coulomb", "at": "all", "params": {"friction": 0.05, "friction_added": 0.05}})");
+  EXPECT_NEAR(frictionOf(model, Joint::kAnkleR), 0.25, 1e-9);
+  EXPECT_NEAR(frictionOf(model, Joint::kAnkleL), 0.07, 1e-9);
+  EXPECT_NEAR(frictionOf(model, Joint::kNeck), 0.07, 1e-9);
+}
+
 TEST(BodyAdditions, ASensorsDeviationIsOnTopOfTheModels) {
   const twin::Model model = modelWith(
       R"({"id": "accel_bias", "at": "accelerometer", "params": {"bias": [0.2, 0, -0.1]}},
