@@ -351,6 +351,11 @@ inline constexpr double kMechanicalChance = 0.01;
 /// of a limb that may fail a log or the held-out ones. A matter of run time.
 inline constexpr std::size_t kFittedMechanics = 8, kFittedOfLimb = 3, kRefusedOfLimb = 2;
 inline constexpr int kMechanicsIterations = 8;
+/// Torque ripples a turn from which they are looked for in a robot's joint, which moves by a sixth of a turn: fewer
+/// look like any torque that changes with the angle. Counts of a joint, a pair or all that are simulated. No evidence
+/// yet.
+inline constexpr int kFewestRipples = 8;
+inline constexpr std::size_t kScreenedRipples = 2;
 /// Share of what is beyond noise in its limbs that an effect has to explain to be added: less is a patch on another
 /// effect. No evidence yet.
 inline constexpr double kMechanicsShare = 0.1;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "gap/identify/body/ripple_screen.hpp"
 #include "gap/parallel/parallel.hpp"
 
 namespace darwinop::gap {
@@ -82,7 +83,7 @@ std::vector<Response> responsesOf(const ClampedRobot& robot, const BodyHypothesi
   std::vector<Response> out;
   for (const std::vector<Joint>& joints : sets)
     for (const MechanicalEffect& effect : mechanicalEffects())
-      if (with_links || !effect.is_of_link)
+      if (!isRipple(effect) && (with_links || !effect.is_of_link))
         for (const std::vector<double>& start : startsOf(effect, effect.values_in(now, joints.front())))
           out.push_back({robot.limbOf(joints.front()), joints, &effect, start, {}});
   forEach(out.size(), [&](std::size_t i) {
@@ -184,6 +185,7 @@ std::vector<MechanicsCandidate> screenMechanics(const ClampedRobot& robot, const
     }
     if (places == ScreenedPlaces::kAllJoints && !all.empty()) add(groupOf(effect, all, now, base, cost));
   }
+  for (MechanicsCandidate& one : rippleCandidates(robot, now, sets, places, base)) add(std::move(one));
   std::ranges::stable_sort(out, std::greater{}, &MechanicsCandidate::predicted_gain);
   return out;
 }

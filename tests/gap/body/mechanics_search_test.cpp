@@ -147,5 +147,24 @@ TEST(MechanicsSearch, AFrictionOfAnAnkleIsFoundBeyondTheLargestOfASingleServo) {
   EXPECT_THAT(answer.found.front().own, ElementsAre(0.25));
 }
 
+class Ripple : public testing::TestWithParam<std::vector<double>> {};
+INSTANTIATE_TEST_SUITE_P(Hidden, Ripple,
+                         testing::Values(std::vector<double>{0.04, 45, 1.57}, std::vector<double>{0.04, 13, -2.6},
+                                         std::vector<double>{0.04, 24, 0}));
+
+TEST_P(Ripple, IsFoundWithItsCountAndPhase) {
+  const std::vector<double>& hidden = GetParam();
+  const MechanicsSelection answer = selectionFor(movingRobot(shippedWith("cogging", {Joint::kLegUpperR}, hidden)));
+  ASSERT_THAT(answer.found, SizeIs(1));
+  EXPECT_EQ(namesOf(answer.found).front(), "cogging LegUpperR");
+  const std::vector<double>& found = answer.found.front().placed.values;
+  EXPECT_NEAR(found[0], hidden[0], 0.1 * hidden[0]);
+  EXPECT_NEAR(found[1], hidden[1], 1);
+  const auto& limits = kJointTable[static_cast<std::size_t>(Joint::kLegUpperR)];
+  const double middle = radFromTicks(static_cast<std::uint16_t>((limits.low + limits.high) / 2)).value;
+  const auto at_middle = [&](const std::vector<double>& ripple) { return ripple[1] * middle + ripple[2]; };
+  EXPECT_NEAR(std::remainder(at_middle(found) - at_middle(hidden), 2 * kPi), 0, 0.3) << "count and phase go together";
+}
+
 }  // namespace
 }  // namespace darwinop::gap
