@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "core/text/nearest.hpp"
@@ -73,24 +74,48 @@ const MechanicalEffect& mechanicalEffect(std::string_view id) {
   return *std::ranges::find(mechanicalEffects(), id, &MechanicalEffect::id);
 }
 
-void hideInJoints(const std::string& id, std::vector<Joint> joints, double strength, BodyTruth& truth, BodyKey& key) {
+/// A number that suites of a single servo draw, such as count and phase of a ripple.
+std::optional<double> drawnNumber(std::string_view id, std::size_t number, Rng& rng) {
+  for (const twin::DrawnParameter& drawn : twin::findEffect(id)->synthetic.drawn)
+    if (drawn.parameter == number)
+      return drawn.choices.empty() ? rng.between(drawn.low, drawn.high) : rng.pick(drawn.choices);
+  return {};
+}
+
+/// The same values in all of the joints; an addition comes on top of each one's own number.
+std::vector<double> drawnValues(const MechanicalEffect& effect, const std::vector<double>& now, Rng& rng) {
+  const double strength = rng.between(1, 2);
+  std::vector<double> values = now;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const MechanicalEffect::Number& number = effect.numbers[i];
+    // A limit gets tighter the further it is from neutral.
+    const bool is_limit = number.is_logarithmic && std::abs(number.typical) < std::abs(number.neutral);
+    const double grown = values[i] + strength * (number.typical - number.neutral);
+    const double value = is_limit ? number.typical / strength : grown;
+    values[i] = std::clamp(number.is_secondary ? number.typical : value, number.low, number.high);
+    values[i] = drawnNumber(effect.id, i, rng).value_or(values[i]);
+  }
+  return values;
+}
+
+void hideInJoints(const std::string& id, std::vector<Joint> joints, Rng& rng, BodyTruth& truth, BodyKey& key) {
   const MechanicalEffect& effect = mechanicalEffect(id == kBusLatency ? kTransportDelay : std::string_view{id});
   BodyHypothesis& robot = truth.model.robot.robot;
+  const std::vector<double> values = drawnValues(effect, effect.values_in(robot, joints.front()), rng);
   Values of_key;
-  for (const Joint joint : joints) {
-    std::vector<double> values = effect.values_in(robot, joint);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const MechanicalEffect::Number& number = effect.numbers[i];
-      // Friction comes on top of what is there; a limit gets tighter the further it is from neutral.
-      const double by = number.typical - number.neutral;
-      const bool is_limit = number.is_logarithmic && std::abs(number.typical) < std::abs(number.neutral);
-      const double value = is_limit ? number.typical / strength : values[i] + strength * by;
-      values[i] = std::clamp(number.is_secondary ? number.typical : value, number.low, number.high);
-      of_key[std::string{number.key}] = {values[i]};
-      if (!number.is_secondary) of_key[std::string{number.key} + "_added"] = {strength * by};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string name{effect.numbers[i].key};
+    if (!effect.numbers[i].is_addition) {
+      of_key[name] = {values[i]};
+      continue;
     }
-    effect.apply(robot, joint, values);
+    of_key[name + std::string{kAddedEnding}] = {values[i]};
+    const auto own = [&](Joint joint) { return ownNumber(robot, effect, joint); };
+    const double total = own(joints.front()) + values[i];
+    if (std::ranges::all_of(joints, [&](Joint joint) { return own(joint) == own(joints.front()); }))
+      of_key[name] = {total};
   }
+  for (const Joint joint : joints) effect.apply(robot, joint, values);
   std::vector<std::string> at;
   for (const Joint joint : joints) at.emplace_back(row(joint).name);
   if (joints.size() == kJoints) at = {"all"};
@@ -154,7 +179,7 @@ void hide(const BodyEffect& effect, const BodyCase& plan, Rng& rng, BodyTruth& t
     key.effects.push_back({effect.id, {"battery"}, {{"resistance", {truth.battery_ohm}}}});
     return;
   }
-  hideInJoints(effect.id, drawnJoints(effect.kind, rng), rng.between(1, 2), truth, key);
+  hideInJoints(effect.id, drawnJoints(effect.kind, rng), rng, truth, key);
 }
 
 }  // namespace darwinop::gap

@@ -53,7 +53,7 @@ json answerOf(const BodyKey& key) {
   for (const BodyKeyEffect& effect : key.effects) {
     json params = json::object();
     for (const auto& [name, values] : effect.values)
-      if (!name.ends_with("_added")) params[name] = values.size() == 1 ? json(values.front()) : json(values);
+      params[name] = values.size() == 1 ? json(values.front()) : json(values);
     // Goals of all joints that act later have two names.
     const std::string id = effect.id == "bus_latency" ? "transport_delay" : effect.id;
     effects.push_back(

@@ -117,6 +117,36 @@ TEST(BodyCases, EveryEffectCanBeHidden) {
   }
 }
 
+BodyKeyEffect hidden(const char* effect, std::uint64_t seed, BodyTruth& truth) {
+  Rng rng{seed};
+  BodyKey key;
+  hide(bodyEffectCalled(effect), plannedBody("a", 1), rng, truth, key);
+  return key.effects.front();
+}
+
+TEST(BodyCases, ARippleHasADrawnCountAndPhase) {
+  std::set<double> counts, phases;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    BodyTruth truth = shipped(plannedBody("a", 1));
+    const BodyKeyEffect one = hidden("cogging", seed, truth);
+    counts.insert(one.values.at("count").front()), phases.insert(one.values.at("phase").front());
+  }
+  EXPECT_GT(counts.size(), 2U);
+  EXPECT_EQ(phases.size(), 8U);
+}
+
+TEST(BodyCases, AFrictionOfAllJointsComesOnTopOfEachJointsOwn) {
+  BodyTruth truth = shipped(plannedBody("a", 1));
+  const BodyKeyEffect all = hidden("coulomb@all", 1, truth);
+  EXPECT_FALSE(all.values.contains("friction")) << "hips and ankles have another total";
+  const double added = all.values.at("friction_added").front();
+  const auto total = [&](Joint joint) {
+    return atJoint(truth.model.robot.robot.servos, joint).find("coulomb")->values.front();
+  };
+  EXPECT_NEAR(total(Joint::kNeck), 0.025 + added, 1e-9);
+  EXPECT_NEAR(total(Joint::kAnkleR), 0.25 + added, 1e-9);
+}
+
 TEST(BodyCases, AnUnknownEffectIsRefused) {
   EXPECT_THROW((void)bodyRequestsFor(1, {"gyro_bais"}), std::runtime_error);
   EXPECT_THROW((void)bodyRequestsFor(1, {"gyro_bias@pair"}), std::runtime_error);
