@@ -1,25 +1,67 @@
 #include "gap/identify/body/held_out_motion.hpp"
 
 #include <cmath>
+#include <numeric>
+
+#include "gap/parallel/parallel.hpp"
 
 namespace darwinop::gap {
 
-double heldOutError(const ClampedRobot& robot, const BodyHypothesis& hypothesis) {
-  double square = 0, count = 0;
-  for (const std::size_t log : clampedLogs(robot.given(), true))
-    for (const Limb& limb : robot.limbs()) {
-      const LimbTrace trace = rollOut(robot.given(), log, limb, hypothesis);
-      for (std::size_t joint = 0; joint < limb.size(); ++joint) {
-        const Trajectory& rows = robot.given().joint(log, static_cast<std::size_t>(limb[joint].joint));
-        for (std::size_t row = 0; row < rows.rows(); ++row) {
-          if (std::isnan(rows.position_rad[row])) continue;
-          const double error = rows.position_rad[row] -
-                               trace.position_rad(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(joint));
-          square += error * error, count += 1;
-        }
+namespace {
+
+struct Squares {
+  double sum = 0, count = 0;
+};
+
+Squares squaresIn(const ClampedRobot& robot, std::size_t of_limb, const BodyHypothesis& hypothesis) {
+  const Limb& limb = robot.limbs()[of_limb];
+  Squares out;
+  for (const std::size_t log : clampedLogs(robot.given(), true)) {
+    const LimbTrace trace = rollOut(robot.given(), log, limb, hypothesis);
+    for (std::size_t joint = 0; joint < limb.size(); ++joint) {
+      const Trajectory& rows = robot.given().joint(log, static_cast<std::size_t>(limb[joint].joint));
+      for (std::size_t row = 0; row < rows.rows(); ++row) {
+        if (std::isnan(rows.position_rad[row])) continue;
+        const double error = rows.position_rad[row] -
+                             trace.position_rad(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(joint));
+        out.sum += error * error, out.count += 1;
       }
     }
-  return std::sqrt(square / count);
+  }
+  return out;
+}
+
+double errorOf(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& hypothesis,
+               bool has_fitted_numbers) {
+  std::vector<Squares> of(limbs.size());
+  forEach(limbs.size(), [&](std::size_t i) {
+    const BodyHypothesis fitted = has_fitted_numbers ? robot.residuals(limbs[i]).withNumbers(hypothesis) : hypothesis;
+    of[i] = squaresIn(robot, limbs[i], fitted);
+  });
+  Squares all;
+  for (const Squares& one : of) all.sum += one.sum, all.count += one.count;
+  return std::sqrt(all.sum / all.count);
+}
+
+std::vector<std::size_t> allLimbs(const ClampedRobot& robot) {
+  std::vector<std::size_t> out(robot.limbs().size());
+  std::iota(out.begin(), out.end(), std::size_t{0});
+  return out;
+}
+
+}  // namespace
+
+double heldOutError(const ClampedRobot& robot, const BodyHypothesis& hypothesis) {
+  return errorOf(robot, allLimbs(robot), hypothesis, true);
+}
+
+double heldOutErrorIn(const ClampedRobot& robot, const std::vector<std::size_t>& limbs,
+                      const BodyHypothesis& hypothesis) {
+  return errorOf(robot, limbs, hypothesis, true);
+}
+
+double heldOutErrorAsDeclared(const ClampedRobot& robot) {
+  return errorOf(robot, allLimbs(robot), robot.baseline(), false);
 }
 
 }  // namespace darwinop::gap

@@ -10,7 +10,12 @@ namespace darwinop::gap {
 inline constexpr double kEncoderNoise = 0.4164 * 2 * kPi / 4096;
 
 /// Rms of measured minus simulated positions of all joints in the held-out logs with a clamped trunk, rad; NaN: there
-/// are none.
+/// are none. Numbers of the model that were fitted within their priors are the fitted ones.
 double heldOutError(const ClampedRobot& robot, const BodyHypothesis& hypothesis);
+/// The same of the joints of these limbs.
+double heldOutErrorIn(const ClampedRobot& robot, const std::vector<std::size_t>& limbs,
+                      const BodyHypothesis& hypothesis);
+/// Of the model as the case declares it.
+double heldOutErrorAsDeclared(const ClampedRobot& robot);
 
 }  // namespace darwinop::gap

@@ -99,6 +99,7 @@ bool ForwardSelection::add(MechanicsSelection& out, FoundMechanics one) {
   out.found.push_back(std::move(one));
   refit(robot_, out.found);
   const BodyHypothesis after = with(robot_, effectsOf(out.found));
+  renewRows(out, limbs);  // both are judged with the numbers that the fits left
   const bool holds = !anyLogRefutes(robot_, limbs, before, after) &&
                      !(heldOutError(robot_, after) > thresholds::kHeldOutRise * unseen);
   if (!holds) {
@@ -106,8 +107,8 @@ bool ForwardSelection::add(MechanicsSelection& out, FoundMechanics one) {
     out.tried.push_back(out.found.back().placed);
     out.found = without;
     robot_.renew(limbs, before);
+    renewRows(out, limbs);
   }
-  renewRows(out, limbs);
   return holds;
 }
 
@@ -188,7 +189,7 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
     if (one.placed.effect->numbers.front().is_addition)
       for (const Joint joint : one.placed.joints)
         one.own.push_back(ownNumber(robot.baseline(), *one.placed.effect, joint));
-  out.held_out_before = heldOutError(robot, robot.baseline());
+  out.held_out_before = heldOutErrorAsDeclared(robot);
   out.held_out_after = heldOutError(robot, with(robot, effectsOf(out.found)));
   out.held_out_floor = kEncoderNoise;
   return out;

@@ -44,6 +44,11 @@ class LimbResiduals {
                                                              const std::vector<double>& values,
                                                              const BodyHypothesis& about) const;
 
+  /// The hypothesis with the numbers about which priors are linearized, but for those that its own effects replace.
+  [[nodiscard]] BodyHypothesis withNumbers(BodyHypothesis hypothesis) const {
+    return moved(std::move(hypothesis), numbers_);
+  }
+
   /// In standard deviations of one sample; a missing sample is 0.
   [[nodiscard]] Eigen::VectorXd scaled(const BodyHypothesis& hypothesis) const;
   /// Of such residuals or of their derivatives. Linear.

@@ -6,6 +6,7 @@
 #include "core/random.hpp"
 #include "gap/body/moving_robot.hpp"
 #include "gap/identify/body/controller_selection.hpp"
+#include "gap/identify/body/held_out_motion.hpp"
 #include "gap/identify/body/next_mechanics.hpp"
 #include "gap/localize/body/close_by_numbers.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -130,6 +131,17 @@ TEST(MechanicsSearch, TheOtherJointOfAPairIsAskedWhereItsLimbIsClosed) {
 }
 
 
+TEST(MechanicsSearch, HeldOutRecordingsAreJudgedWithTheNumbersThatWereFitted) {
+  BodyCase given = movingRobot(shippedWith("coulomb", {Joint::kArmUpperR}, {0.04}));
+  given.trust["friction"] = 0.6;
+  ClampedRobot robot{given};
+  ASSERT_TRUE(closeByNumbers(robot, {robot.limbOf(Joint::kArmUpperR)}, robot.baseline(), 0.0) ||
+              robot.residuals(robot.limbOf(Joint::kArmUpperR)).betterNumbers(robot.baseline()));
+  const std::size_t limb = robot.limbOf(Joint::kArmUpperR);
+  const auto numbers = robot.residuals(limb).betterNumbers(robot.baseline());
+  if (numbers) robot.replace(limb, robot.residuals(limb).about(robot.baseline(), *numbers));
+  EXPECT_LT(heldOutError(robot, robot.baseline()), 0.9 * heldOutErrorAsDeclared(robot));
+}
 
 TEST(MechanicsSearch, AFrictionIsFoundAsAnAdditionToEachJointsOwn) {
   const MechanicsSelection all = selectionFor(movingRobot(shippedWith("coulomb", allJoints(), {0.05})));
