@@ -369,6 +369,9 @@ inline constexpr double kMechanicsRemainder = 0.002;
 inline constexpr double kDecidingChange = 25;
 /// Ratio of held-out errors from which an effect of the mechanics worsens them and is dropped: repeats differ by 1 %.
 inline constexpr double kHeldOutRise = 1.03;
+/// Held-out error of the joints in an effect's limbs, in noises of a reading, up to which a remainder takes no name
+/// away that the held-out logs show. From the specification.
+inline constexpr double kSmallRemainder = 2;
 /// Rivals of a mass or centre of mass that are listed, the most probable ones: a set of three. From the specification.
 inline constexpr std::size_t kMostLinkRivals = 2;
 /// Effects of the mechanics that are looked for. From the specification (two, and a spare).

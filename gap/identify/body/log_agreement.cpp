@@ -29,6 +29,14 @@ LogGain gainOf(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis
   return gainIn(robot.residuals(limb), without, with);
 }
 
+LogGain heldOutGain(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& without,
+                    const BodyHypothesis& with) {
+  const std::vector<std::size_t> logs = clampedLogs(robot.given(), true);
+  if (logs.empty()) return {};
+  return gainIn(LimbResiduals{robot.given(), logs, robot.limbs()[limb], robot.residuals(limb).withNumbers(with)},
+                robot.residuals(limb).withNumbers(without), robot.residuals(limb).withNumbers(with));
+}
+
 bool anyLogRefutes(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& without,
                    const BodyHypothesis& with) {
   std::map<std::size_t, LogGain> logs;

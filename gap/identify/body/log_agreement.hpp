@@ -22,6 +22,9 @@ bool supports(const LogGain& log);
 
 /// All clamped logs of a limb together.
 LogGain gainOf(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& without, const BodyHypothesis& with);
+/// All held-out logs with a clamped trunk, under the noise of robots near `with`.
+LogGain heldOutGain(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& without,
+                    const BodyHypothesis& with);
 /// A clamped log refutes the difference between two hypotheses about these limbs.
 bool anyLogRefutes(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& without,
                    const BodyHypothesis& with);

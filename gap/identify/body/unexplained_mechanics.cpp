@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gap/identify/body/held_out_motion.hpp"
+#include "gap/identify/body/log_agreement.hpp"
 #include "gap/identify/body/mechanics_entry.hpp"
 #include "gap/localize/body/close_by_numbers.hpp"
 #include "gap/parallel/parallel.hpp"
@@ -24,13 +26,32 @@ double sumOver(const std::vector<std::size_t>& limbs, const std::vector<double>&
   return sum;
 }
 
+namespace {
+
+/// What is left of the joints in its limbs is small in the held-out logs, and these show the effect: without it all
+/// that it changes would be a gap.
+bool holdsUnseen(const ClampedRobot& robot, const std::vector<FoundMechanics>& found, std::size_t one) {
+  const std::vector<PlacedMechanics> all = effectsOf(found);
+  std::vector<PlacedMechanics> others = all;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(one));
+  const BodyHypothesis without = with(robot, others), with_it = with(robot, all);
+  const std::vector<std::size_t> limbs = limbsOf(robot, {all[one]});
+  if (!(heldOutErrorIn(robot, limbs, with_it) <= thresholds::kSmallRemainder * kEncoderNoise)) return false;
+  std::vector<LogGain> gains(limbs.size());
+  forEach(limbs.size(), [&](std::size_t i) { gains[i] = heldOutGain(robot, limbs[i], without, with_it); });
+  return std::ranges::all_of(gains, supports);
+}
+
+}  // namespace
+
 void dropUnexplained(const ClampedRobot& robot, double open_from, MechanicsSelection& selection) {
   const std::vector<double> after = excessOf(robot, with(robot, effectsOf(selection.found)));
   const std::vector<std::size_t> open = openLimbs(robot, selection.rows, open_from);
   const auto isExplained = [&](std::size_t i) {
     const FoundMechanics& one = selection.found[i];
     return one.is_in_controller || !isInOneOf(robot, one.placed, open) ||
-           sumOver(limbsOf(robot, {one.placed}), after) < (1 - thresholds::kExplainedGapShare) * one.excess_before;
+           sumOver(limbsOf(robot, {one.placed}), after) < (1 - thresholds::kExplainedGapShare) * one.excess_before ||
+           holdsUnseen(robot, selection.found, i);
   };
   std::vector<bool> is_kept(selection.found.size());
   for (std::size_t i = 0; i < is_kept.size(); ++i) is_kept[i] = isExplained(i);

@@ -8,6 +8,7 @@
 #include "gap/identify/body/controller_selection.hpp"
 #include "gap/identify/body/held_out_motion.hpp"
 #include "gap/identify/body/next_mechanics.hpp"
+#include "gap/identify/body/unexplained_mechanics.hpp"
 #include "gap/localize/body/close_by_numbers.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -130,6 +131,18 @@ TEST(MechanicsSearch, TheOtherJointOfAPairIsAskedWhereItsLimbIsClosed) {
   }
 }
 
+TEST(MechanicsSearch, ASmallRemainderTakesNoNameAwayThatHeldOutRecordingsShow) {
+  const BodyCase given = movingRobot(shippedWith("viscous", {Joint::kArmUpperR}, {0.03}));
+  for (const Joint joint : {Joint::kArmUpperR, Joint::kArmLowerR}) {
+    const ClampedRobot robot{given};
+    MechanicsSelection selection;
+    selection.found.push_back({.placed = {&effectCalled("viscous"), {joint}, {0.03}}, .sigmas = {}, .rivals = {}});
+    selection.rows = mechanicsRows(robot, robot.baseline());
+    for (BodyRow& row : selection.rows) row.significance = 2 * kOpenFrom;
+    dropUnexplained(robot, kOpenFrom, selection);
+    EXPECT_THAT(selection.found, SizeIs(joint == Joint::kArmUpperR ? 1 : 0)) << row(joint).name;
+  }
+}
 
 TEST(MechanicsSearch, HeldOutRecordingsAreJudgedWithTheNumbersThatWereFitted) {
   BodyCase given = movingRobot(shippedWith("coulomb", {Joint::kArmUpperR}, {0.04}));
