@@ -90,7 +90,7 @@ int Recorder::run(const PlannedRecording& plan) const {
   start.streams = {process::Stream{}, process::Stream::nothing()};  // the plan; what happens is on stderr
   process::ChildProcess experiment{start};
   std::optional<process::Ending> ending;
-  // Those of the terminal have reached the experiment, too; a second one would end it abruptly.
+  // Those of the terminal have also reached the experiment; a second one would end it abruptly.
   for (bool forwarded = false; !(ending = experiment.waitFor(std::chrono::milliseconds{100}));)
     if (const int signal = ended_by; (signal == SIGTERM || signal == SIGPWR) && !std::exchange(forwarded, true))
       experiment.signal(SIGTERM);

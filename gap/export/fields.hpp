@@ -16,8 +16,8 @@ struct WebotsFields {
   double resolution = -1;                            // of the sensor; -1: none
 };
 
-/// One hinge, one more for play or flex behind it (flex, where it has both), and two actuators: the controller, and the back EMF, which no
-/// forcerange may cut.
+/// One hinge, one more for play or flex behind it (flex, where it has both), and two actuators: the controller, and the
+/// back EMF, which no forcerange may cut.
 struct MujocoFields {
   double timestep = 0.002;
   double armature = 0, damping = 0, frictionloss = 0;

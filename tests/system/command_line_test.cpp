@@ -53,7 +53,7 @@ TEST_F(CommandLine, CalibrateSaysBeforeItMeasuresThatItCannotWrite) {
                                                 calibrate::messages::kCannotWrite + "none/robot.ini"));
 }
 
-TEST_F(CommandLine, DoctorOnWhatIsNoPortIsAWrongArgument) {
+TEST_F(CommandLine, DoctorRefusesARobotWithoutAPort) {
   EXPECT_EQ(call("doctor --robot virtual").status, 2);
 }
 

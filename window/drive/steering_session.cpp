@@ -65,7 +65,7 @@ void SteeringSession::take(web::Channel& channel) {
   drive_.start();
 }
 
-/// From every page, also while the steps of an ended session are being completed: whoever sees the robot may stop it.
+/// From every page, also while the steps of an ended session are completed: each person who sees the robot may stop it.
 void SteeringSession::stop(const web::Channel& channel) {
   if (drive_.report().state == DriveState::kFree) return;
   drive_.stop();

@@ -22,8 +22,8 @@ constexpr Holding kRelativeNoise = lost("the noise of a lookupTable is a share o
 constexpr Holding kNoJointSensors = lost("no sensors of joints are written");
 constexpr Holding kArmatureBeside =
     lost("it is a comment at each joint; add it to the link's inertia, which then also resists other joints");
-constexpr Holding kTurnedLink =
-    approximated("rotation of the joint's endPoint; add the offset to minPosition and maxPosition of its motor, too");
+constexpr Holding kTurnedLink = approximated(
+    "rotation of the joint's endPoint; add the offset to minPosition and maxPosition of its motor as well");
 constexpr Holding kOneHinge = lost("the body has one hinge a joint");
 constexpr Holding kNoBattery = lost("it has no supply voltage");
 constexpr Holding kNoHolding = lost("a motor without a command is limp");

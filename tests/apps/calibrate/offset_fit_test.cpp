@@ -104,7 +104,7 @@ TEST(SweepPlan, ALimbThatLacksAJointIsLeftOut) {
 TEST(SweepPlan, TheAngleThatIsAnnouncedIsThatOfTheWidestSweep) {
   for (std::size_t i = 0; i < kJoints; ++i)
     EXPECT_LE(sweepOf(static_cast<Joint>(i)).amplitude_rad, greatestSweepDeg() * kRadPerDegree) << kJointTable[i].name;
-  EXPECT_EQ(greatestSweepDeg(), 52) << "docs/calibrate.md says so, too";
+  EXPECT_EQ(greatestSweepDeg(), 52) << "as in docs/calibrate.md";
 }
 
 }  // namespace

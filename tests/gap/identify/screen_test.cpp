@@ -127,7 +127,7 @@ TEST(CrossValidation, WhatIsNotThereDoesNot) {
   EXPECT_FALSE(crossValidate(baselineOn(study, Nuisance::kFixed), effectOn(study, "supply_sag")).improves());
 }
 
-TEST(CrossValidation, ALogThatTheEncoderCannotTellFromAnotherIsNoVote) {
+TEST(CrossValidation, ALogThatTheEncoderCannotTellFromAnotherDoesNotCount) {
   constexpr double kFloor = 4e-4;
   EXPECT_TRUE(crossValidate({0.1, 0.11, 0.1, 0}, {0.02, 0.02, 0.021, 0}, kFloor).improves()) << "an arm at rest";
   EXPECT_NEAR(crossValidate({1e-5, 1e-5, 1e-5}, {1e-7, 1e-7, 1e-7}, kFloor).mean, 0, 0.001);

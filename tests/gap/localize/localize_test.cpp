@@ -142,7 +142,7 @@ TEST(Dependence, OfWhatChangesFromRunToRunIsOnTheClock) {
   EXPECT_GT(clock.dependence.by_clock, 0.1);
   EXPECT_TRUE(clock.dependence.on == Depends::kClock || clock.dependence.on == Depends::kBoth);
   EXPECT_EQ(clock.dependence.regions.front().variable, kSessionTime);
-  // Without the session's clock all logs begin at once, and time within a log is no clock.
+  // Without the session's clock all logs begin at once, and time within a log does not count as one.
   for (Trajectory& log : given.logs) log.is_session_known = false, log.session_start_s = 0;
   const Dependence without = whereIs(given).dependence;
   EXPECT_FALSE(without.is_clock_known);
