@@ -298,11 +298,6 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:Kneel.AtTheEndOfTheLoopTheRobotsOwnExitHolds "
      "runtime_process_test:DaemonTest.ASessionThatHoldsAtItsEndDoesNotKeepTheRobotUpWhenTheDaemonEnds",
      "process"},
-    {"H430", "A person cannot stop the robot", "the page lost it, and it completes its steps",
-     "STOP works from every page until the robot holds", "all joints hold at once",
-     "window_test:WindowSteeringSession.StopWorksWhileTheLastStepsAreCompleted "
-     "window_test:WindowSteeringSession.EveryPageCanStopTheRobot",
-     "always"},
     {"H419", "The robot rises when its cable is plugged in", "a restart waits for a rescue and is then stopped",
      "a stop cancels what waits", "stays limp",
      "supervisor_system_test:Home.AStopOfTheControllerCancelsARestartThatWaitsForARescue", "process"},
@@ -312,6 +307,11 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H421", "The robot gets up during an upgrade", "its controller was stopped before",
      "a stop holds until the next boot or a person's restart", "runtime starts, robot limp",
      "supervisor_system_test:Home.AControllerThatWasStoppedStaysSoWithTheNextSupervisor", "process"},
+    {"H422", "A person cannot stop the robot", "the page lost it, and it completes its steps",
+     "STOP works from every page until the robot holds", "all joints hold at once",
+     "window_test:WindowSteeringSession.StopWorksWhileTheLastStepsAreCompleted "
+     "window_test:WindowSteeringSession.EveryPageCanStopTheRobot",
+     "always"},
     {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
      "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "
