@@ -14,9 +14,6 @@
 namespace darwinop::gap {
 namespace {
 
-// Names that recordings contradict before the search ends: each costs another search.
-constexpr std::size_t kMostRefused = 2;
-
 FloorSet setOf(const std::vector<FoundFloor>& found) {
   FloorSet out;
   for (const FoundFloor& one : found) out.push_back(one.placed);
@@ -48,7 +45,7 @@ class FloorSearch {
     while (isOpen(out_.rows_after) && out_.found.size() < thresholds::kMostFloorEffects) {
       const Step step = addNext();
       if (step == Step::kFound) useNoiseOfFound();
-      if (step == Step::kNothing || out_.tried.size() >= kMostRefused) break;
+      if (step == Step::kNothing || out_.tried.size() >= thresholds::kRefusedOfLimb) break;
     }
     if (of_gyro_) out_.found.insert(out_.found.begin(), *of_gyro_);
     return std::move(out_);
