@@ -16,6 +16,7 @@
 #include "apps/calibrate/opened_robot.hpp"
 #include "calibrate_commands.hpp"
 #include "core/text/letter_case.hpp"
+#include "core/text/number_text.hpp"
 #include "hal/signals.hpp"
 #include "hal/text_file.hpp"
 #include "parse_arguments.hpp"
