@@ -114,8 +114,8 @@ INSTANTIATE_TEST_SUITE_P(All, AddNonsense,
                          testing::Values(Refused{"coulomb", "write ID.PARAMETER=VALUE"},
                                          Refused{"coulmb.friction=0.05", text::suggestion("coulmb", twin::effectIds())},
                                          Refused{"coulomb.fricton=0.05", "did you mean friction?"},
-                                         Refused{"coulomb.friction=5", "give 0 to 3 N m"},
-                                         Refused{"coulomb.friction=nan", "give 0 to 3 N m"},
+                                         Refused{"coulomb.friction=5", "give 0 to 4 N m"},
+                                         Refused{"coulomb.friction=nan", "give 0 to 4 N m"},
                                          Refused{"coulomb.friction=0.05 N m", messages::kUnitNotAllowed},
                                          Refused{"coulomb.friction=", messages::kUnitNotAllowed}));
 

@@ -68,7 +68,7 @@ TEST(WithEffect, MakesOneCommentLineOfEachLineOfAComment) {
 TEST(WithEffect, RefusesAValueOutOfRange) {
   EXPECT_EQ(
       refusal([] { withEffect(kNamed, coulomb(7), {}); }),
-      std::string{"the model, line 5: [effect coulomb] friction = 7 N m: "} + messages::kOutOfRange + "0 to 3 N m");
+      std::string{"the model, line 5: [effect coulomb] friction = 7 N m: "} + messages::kOutOfRange + "0 to 4 N m");
   EXPECT_EQ(refusal([] { withEffect(kNamed, {findEffect("coulomb"), {}, {}}, {}); }), messages::kValuesMissing);
 }
 

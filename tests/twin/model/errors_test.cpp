@@ -124,13 +124,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"[effect coulomb Neck Head]\n",
                           std::string{"3: [effect coulomb Neck Head]: "} + messages::kEffectSyntax},
                     Wrong{"[effect coulomb]\n\n[body]\n",
-                          std::string{"3: [effect coulomb] friction"} + messages::kMissing + "0 to 3 N m"},
+                          std::string{"3: [effect coulomb] friction"} + messages::kMissing + "0 to 4 N m"},
                     Wrong{"[effect coulomb Neck]\nfriktion = 0.1 N m\n",
                           "4: [effect coulomb Neck] friktion = 0.1 N m: no such key; did you mean friction?"},
                     Wrong{"[effect coulomb]\nfriction = 25 mN m\n",
                           "4: [effect coulomb] friction = 25 mN m: the unit is N m, not mN m; write 0.025 N m"},
-                    Wrong{"[effect coulomb]\nfriction = 4 N m\n",
-                          std::string{"4: [effect coulomb] friction = 4 N m: "} + messages::kOutOfRange + "0 to 3 N m"},
+                    Wrong{"[effect coulomb]\nfriction = 5 N m\n",
+                          std::string{"4: [effect coulomb] friction = 5 N m: "} + messages::kOutOfRange + "0 to 4 N m"},
                     Wrong{"[effect coulomb Neck]\nfriction = 0.1 N m\n[effect coulomb neck]\nfriction = 0.2 N m\n",
                           "5: [effect coulomb Neck] is already in line 3; keep one of the two"}));
 
