@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"`baseline.params.kt_NmA`", messages::kUnknownKey, "kt_Nm_A?"}},
         Mistake{"\"duty_max\": 1.0", "\"duty_max\": 1.01", {"`baseline.params.duty_max`", "1.01"}},
         Mistake{"\"length_m\": 0.17", "\"length_m\": 0", {"`baseline.params.length_m`", " 0;"}},
-        Mistake{"\"coulomb_Nm\": 0.08", "\"coulomb_Nm\": 4", {"`baseline.params.coulomb_Nm`", " 4;"}},
+        Mistake{"\"coulomb_Nm\": 0.08", "\"coulomb_Nm\": 5", {"`baseline.params.coulomb_Nm`", " 5;"}},
         Mistake{"\"voltage_p\"", "\"voltage\"", {"`baseline.model`", "\"voltage\"", "voltage_p", "speed_p"}},
         Mistake{"\"family\"", "\"goal_order\": \"later\", \"family\"", {"`goal_order`", "\"later\""}},
         Mistake{"\"family\"", "\"famly\": 1, \"family\"", {"`famly`", messages::kUnknownKey}},
