@@ -33,22 +33,6 @@ RowState stateAt(const Trajectory& log, std::size_t row) {
   return {about_rad + fit[0], fit[1] / half};
 }
 
-double speedAtBegin(const Trajectory& log) {
-  const auto rowAfter = [&](std::size_t row) {
-    const double until_s = log.time_s[row] + thresholds::kBeginSpan;
-    while (row + 1 < log.rows() && log.time_s[row] < until_s) ++row;
-    return row;
-  };
-  const std::size_t middle = rowAfter(0), end = rowAfter(middle);
-  if (end == middle) return 0;
-  const double first_s = log.time_s[middle] - log.time_s[0], second_s = log.time_s[end] - log.time_s[middle];
-  const double first = (knownPosition(log, middle) - knownPosition(log, 0)) / first_s,
-               second = (knownPosition(log, end) - knownPosition(log, middle)) / second_s;
-  const double speed = first - (second - first) * first_s / (first_s + second_s);  // of constant acceleration
-  const bool moves = first * second > 0 && std::abs(first) > thresholds::kBeginShare * std::abs(second);
-  return moves && std::abs(speed) > thresholds::kBeginSpeed ? speed : 0;
-}
-
 double lastReading(const Trajectory& log, const std::vector<double>& column, std::string_view name, std::size_t row) {
   if (!std::isnan(column[row]) || std::ranges::find(log.masked, name, &MaskedReadings::column) == log.masked.end())
     return column[row];

@@ -14,9 +14,6 @@ struct RowState {
 };
 RowState stateAt(const Trajectory& log, std::size_t row);
 
-/// Speed with which the log begins; 0 unless the joint plainly moves there.
-double speedAtBegin(const Trajectory& log);
-
 /// Reading of one column of the log; the last before where it is NaN and readings of `name` ("volt") are masked. A
 /// column of which nothing is masked is NaN where it was not read.
 double lastReading(const Trajectory& log, const std::vector<double>& column, std::string_view name, std::size_t row);

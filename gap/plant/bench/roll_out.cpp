@@ -74,11 +74,9 @@ class Run {
 
  private:
   void begin(const Hypothesis& hypothesis) {
-    const double speed_rad_s = speedAtBegin(log_);
-    const bool held = given_.goal_order == GoalOrder::kAfterRead && drive_.torque_on && speed_rad_s == 0;
+    const bool held = given_.goal_order == GoalOrder::kAfterRead && drive_.torque_on;
     bench_.reset({.steps_per_period = stepsFor(hypothesis),
                   .start_rad = startRad(hypothesis),
-                  .start_rad_s = speed_rad_s,
                   .goal_rad = held ? std::optional{log_.goal_rad[0]} : std::nullopt,
                   .session_time_s = log_.session_start_s - (held ? kHeldBefore : 0)});
     registered_rad_ = bench_.encoder_rad();
@@ -90,9 +88,8 @@ class Run {
   // shows. A joint that the hypothesis cannot hold there moves to where it rests. Commands alone: at the goal.
   [[nodiscard]] double startRad(const Hypothesis& hypothesis) const {
     const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
-    // A joint that is limp, or in motion, moves from its first reading on.
-    const bool rests = drive_.torque_on && speedAtBegin(log_) == 0;
-    const double measured = rests ? restBefore(log_, 1.5 * tick) : knownPosition(log_, 0);
+    // A limp joint moves from its first reading on.
+    const double measured = drive_.torque_on ? restBefore(log_, 1.5 * tick) : knownPosition(log_, 0);
     if (std::isnan(measured)) return log_.goal_rad[0];
     if (options_.disturbance == nullptr) return measured;
     return measured +

@@ -35,36 +35,13 @@ TEST(RollOut, AGoalWrittenBeforeTheReadActsOneRowEarlier) {
   EXPECT_EQ(after, before + 1);
 }
 
-// The runtime writes all goals, and reads each servo a few periods of the firmware later.
-TEST(RollOut, ALogMayBeginInMotion) {
-  Case bench = smallBench();
-  bench = measured(bench, baselineOf(bench), 3);
-  const auto errorFrom = [&](std::size_t log, double from_s) {
-    Case part = bench;
-    Trajectory& cut = part.logs[log];
-    const auto rows = static_cast<std::ptrdiff_t>(from_s / kRow);
-    for (auto* const column :
-         {&cut.time_s, &cut.goal_rad, &cut.position_rad, &cut.speed_rad_s, &cut.volt_v, &cut.load, &cut.temp_c})
-      column->erase(column->begin(), column->begin() + rows);
-    cut.torque_on.erase(cut.torque_on.begin(), cut.torque_on.begin() + rows);
-    cut.lines.erase(cut.lines.begin(), cut.lines.begin() + rows);
-    const Trace trace = traceOf(part, log, baselineOf(part));
-    double most = 0;
-    for (std::size_t row = 0; row < 30; ++row)
-      most = std::max(most, std::abs(cut.position_rad[row] - trace[kPositionSignal][row]));
-    return most;
-  };
-  EXPECT_LT(errorFrom(2, 0.72), 0.05) << "an arm that falls";
-  EXPECT_LT(errorFrom(1, 1), 0.02) << "a goal that moves on";
-  EXPECT_EQ(speedAtBegin(bench.logs[0]), 0) << "a step from rest";
-}
-
 TEST(StateAt, RowsThatAreFarApartHaveASpeed) {
   Trajectory log;
   for (int row = 0; row < 9; ++row) log.time_s.push_back(0.06 * row), log.position_rad.push_back(0.3 * 0.06 * row);
   for (const std::size_t row : {0U, 4U, 8U}) EXPECT_NEAR(stateAt(log, row).speed_rad_s, 0.3, 0.01) << row;
 }
 
+// The runtime writes all goals, and reads each servo a few periods of the firmware later.
 TEST(RollOut, AGoalActsBetweenItsWriteAndTheReadOfItsRow) {
   Case bench = smallBench();
   Trajectory& log = bench.logs[0];
