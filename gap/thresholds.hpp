@@ -440,10 +440,6 @@ inline constexpr double kStanceHeldOut = 0.1;
 
 /// s. Rows on either side from which a speed is computed: a parabola through five rows of 16 ms. No evidence yet.
 inline constexpr double kStateHalfWindow = 0.04;
-/// s and rad/s. A log begins in motion if its first two spans of this length show it faster than this, the encoder
-/// resolves 0.05 there, and no less than half as fast in the first one: at rest it would be a third. None of 342 logs
-/// of another simulator, which begin at rest, does.
-inline constexpr double kBeginSpan = 0.03, kBeginSpeed = 0.3, kBeginShare = 0.5;
 /// s. A faster firmware is simulated as one of this period that looks ahead: one of 0.1 ms costs ten times one of 1 ms,
 /// and hardly differs.
 inline constexpr double kLongestFold = 5e-4;
