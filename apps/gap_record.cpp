@@ -123,7 +123,7 @@ bool Recorder::record(const PlannedRecording& plan, std::size_t number, std::siz
     const int status = run(plan);
     if (status == kStopped || isEnded()) return false;
     if (status == 2) throw std::runtime_error("the experiment " + plan.experiment + " cannot run, see above");
-    if (status != 0 && !asks() && !is_simulated_)  // nobody is there to judge whether it may move again
+    if (status != 0 && !asks() && !is_simulated_)  // no person judges whether it may move again
       throw std::runtime_error("the robot ended the experiment " + plan.experiment + ", see above");
     const std::size_t before = made_.size();
     std::vector<std::string> problems = look(plan, is_simulated_ ? 0 : since.count());
