@@ -93,10 +93,12 @@ void readPriors(Fields priors, const std::vector<std::string_view>& given, Case&
   const auto take = [&](std::string_view key, std::string_view name, bool is_there) {
     const bool known_already = std::ranges::find(into.priors, name, &Prior::number) != into.priors.end();
     if (!priors.has(key)) return;
-    if (std::ranges::find(kNeverMoved, name) != kNeverMoved.end())
-      priors.fail(key, std::string{messages::kNeverMoved} + "; take it away");
     if (known_already) priors.fail(key, std::string{messages::kSecondSigma} + "; keep one of the two");
     const double sigma = priors.number(key, kRelativeSigma);
+    if (std::ranges::find(kNeverMoved, name) != kNeverMoved.end()) {
+      into.warnings.push_back(priors.file() + ": prior_rel_sigma " + std::string{key} + " " + messages::kNeverMoved);
+      return;
+    }
     if (is_there) into.priors.push_back({std::string{name}, sigma});  // else: of what the baseline does not have
   };
   for (const ServoKey& key : servoKeys()) {

@@ -53,8 +53,10 @@ TEST(CaseRead, ScoreIsReadAsHeldOut) {
   EXPECT_TRUE(CaseTexts{}.read().logs[1].held_out) << "the former word";
 }
 
-TEST(CaseRead, PriorsOfNumbersThatNothingMovesAreRefused) {
-  EXPECT_THAT(CaseTexts{}.with("\"kt_Nm_A\": 0.02", "\"duty_max\": 0.02").error(), HasSubstr(messages::kNeverMoved));
+TEST(CaseRead, PriorsOfNumbersThatNothingMovesAreReported) {
+  const Case given = CaseTexts{}.with("\"kt_Nm_A\": 0.02", "\"duty_max\": 0.02").read();
+  EXPECT_THAT(given.warnings, testing::Contains(HasSubstr(messages::kNeverMoved)));
+  EXPECT_THAT(priorsOf(given), testing::Not(testing::Contains("duty_max")));
   EXPECT_EQ(CaseTexts{}.with("\"kt_Nm_A\": 0.02", "\"arm_mass_kg\": 0.02").error(), "");
 }
 
