@@ -155,26 +155,6 @@ TEST_F(Home, ARuntimeDeathDuringUnplugIsRescuedAfterReplug) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
-/// The cable is out: a restart waits for the rescue, and the stop that follows ends this too.
-TEST_F(Home, AStopOfTheControllerCancelsARestartThatWaitsForARescue) {
-  startVirtualRobot("8 unplug for 12\n");
-  plan("hold");
-  startSupervisor();
-  ASSERT_TRUE(controllerSays("stands", seconds{8})) << supervisor_->output() << controllerLog();
-  ASSERT_TRUE(within(seconds{12}, [&] {
-    const Sensors seen = sensors();
-    return seen.cycle != 0 && seen.safety.state == State::kOffline;
-  }));
-  kill(status().runtime_pid, SIGKILL);
-  ASSERT_TRUE(says(messages::kCannotReachRobot, seconds{10})) << supervisor_->output();
-  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
-  EXPECT_EQ(ask("--stop-controller"), 0) << said_;
-  ASSERT_TRUE(says(messages::kRescued, seconds{40})) << supervisor_->output();
-  EXPECT_FALSE(within(seconds{5}, [&] { return status().runtime_pid != 0 || status().controller_pid != 0; }))
-      << supervisor_->output();
-  EXPECT_EQ(registers().stiff, 0);
-}
-
 TEST_F(Home, AfterThreeCrashesTheRobotIsHeldWithRedLights) {
   startVirtualRobot();
   plan("crash");
@@ -224,39 +204,6 @@ TEST_F(Home, AKilledSupervisorEndsItsChildrenNormally) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
-TEST_F(Home, AfterAKilledSupervisorTheNextStartsNoController) {
-  startVirtualRobot();
-  plan("hold");
-  startSupervisor();
-  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
-  supervisor_->kill(SIGKILL);
-  EXPECT_TRUE(within(seconds{20}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
-  startSupervisor();  // as systemd does after 5 s
-  ASSERT_TRUE(says(messages::kAfterKill)) << supervisor_->output();
-  ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
-  EXPECT_FALSE(within(seconds{6}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
-  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
-  EXPECT_TRUE(within(seconds{20}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
-}
-
-TEST_F(Home, AControllerThatWasStoppedStaysSoWithTheNextSupervisor) {
-  startVirtualRobot();
-  plan("sit");
-  startSupervisor();
-  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
-  EXPECT_EQ(ask("--stop"), 0) << said_;
-  supervisor_->wait(seconds{5});
-  startSupervisor();  // it ran before, so it runs again
-  ASSERT_TRUE(within(seconds{20}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
-  EXPECT_EQ(ask("--stop-controller"), 0) << said_;
-  EXPECT_EQ(ask("--stop"), 0) << said_;
-  supervisor_->wait(seconds{5});
-  startSupervisor();  // as in an upgrade
-  ASSERT_TRUE(says(messages::kStaysEnded)) << supervisor_->output();
-  ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
-  EXPECT_FALSE(within(seconds{6}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
-}
-
 TEST_F(Home, StopEndsEvenAnUnresponsiveController) {
   startVirtualRobot();
   plan("unresponsive");
@@ -272,17 +219,6 @@ TEST_F(Home, StopEndsEvenAnUnresponsiveController) {
   const Registers robot = registers();
   EXPECT_EQ(robot.stiff, 0);
   EXPECT_LT(robot.furthest, 0.1);
-}
-
-TEST_F(Home, ARestartFailsWhileTheSupervisorStops) {
-  startVirtualRobot();
-  plan("unresponsive");
-  startSupervisor();
-  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
-  supervisor_->kill(SIGTERM);
-  ASSERT_TRUE(within(seconds{3}, [&] { return status().stopping; }));
-  EXPECT_EQ(ask("--restart-controller"), 1);
-  EXPECT_THAT(said_, HasSubstr(messages::kEndedBefore));
 }
 
 TEST_F(Home, TheDefaultControllerWaitsUntilTheRobotSitsUpright) {
