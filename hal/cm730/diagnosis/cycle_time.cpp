@@ -30,7 +30,7 @@ Nanos returnDelays(const RobotFacts& facts) {
 
 Nanos usbTime(const RobotFacts& facts) {
   constexpr std::size_t kShortRead = 8 + 8;
-  return std::max(Nanos{0}, facts.round_trip - wireTime(kShortRead));
+  return std::max(Nanos{0}, facts.round_trip.median - wireTime(kShortRead));
 }
 
 Nanos cycleWireTime() {

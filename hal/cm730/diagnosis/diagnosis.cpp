@@ -19,17 +19,24 @@ double ms(Nanos time) {
   return static_cast<double>(time.count()) * 1e-6;
 }
 
+constexpr const char* kUndelayed = "end other programs on the robot's computer and connect the board without a hub";
+
 void addRoundTrip(const RobotFacts& facts, Findings& rows) {
-  if (facts.round_trip_reads == 0) {
+  const RoundTrip& measured = facts.round_trip;
+  if (measured.reads == 0) {
     rows.push_back(Finding::of(Kind::kLineNoisy,
                                "all short reads failed at the first attempt: the line is too noisy to measure",
                                "check the USB cable and both connectors"));
     return;
   }
-  const std::string what =
-      format("a short read takes %.2f ms (median of %d)", ms(facts.round_trip), facts.round_trip_reads);
-  if (facts.round_trip < kLatencySignature)
+  const std::string what = format("a short read takes %.2f ms (median of %d)", ms(measured.median), measured.reads);
+  if (measured.median < kLatencySignature)
     rows.push_back(Finding::ok(what));
+  else if (!isTimer(measured))
+    rows.push_back(Finding::of(Kind::kRoundTripLong,
+                               format("%s and the shortest %.2f ms: the computer is busy or a USB hub delays data",
+                                      what.c_str(), ms(measured.shortest)),
+                               kUndelayed));
   else
     rows.push_back(Finding::of(Kind::kRoundTripLong, what + ": the FTDI chip of the port delays data",
                                latencyCommand(facts.port) + "   (permanently: udev rule in docs/doctor.md)"));
@@ -47,7 +54,8 @@ void addCycle(const RobotFacts& facts, Findings& rows) {
                                "set the return delays to 0: `darwinop doctor --fix` while torque is off"));
   else
     rows.push_back(Finding::of(Kind::kCycleTooLong, what + ": too long",
-                               "choose a longer period, or: " + latencyCommand(facts.port)));
+                               "choose a longer period, or: " +
+                                   (isTimer(facts.round_trip) ? latencyCommand(facts.port) : std::string{kUndelayed})));
 }
 
 constexpr const char* kUpdateServos = "update the firmware of the servos with the vendor's tool";

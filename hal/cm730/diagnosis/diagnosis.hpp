@@ -16,10 +16,17 @@ inline constexpr std::uint8_t kOldestFirmware = 27;
 inline constexpr std::uint8_t kMostReturnDelay = 25;  // counts of 2 us
 /// A short read takes 0.16 ms on the wire and 1 to 2 ms through USB; from here on the FTDI timer is the cause.
 inline constexpr Nanos kLatencySignature{8'000'000};
+/// The timer delays all reads alike, so the shortest takes this long too. A busy computer or USB hub delays some.
+inline constexpr Nanos kTimerDelay{7'000'000};
 /// Accepted loss rate. Others measure 0.2 to 0.4 %; a single loss is normal.
 inline constexpr double kLossAlarm = 0.01;
 
 Findings diagnose(const RobotFacts& facts);
+
+/// Whether even the shortest read has the delay of an FTDI latency timer.
+inline bool isTimer(const RoundTrip& measured) {
+  return measured.shortest >= kTimerDelay;
+}
 
 /// An MX-28 or a permitted model, with the registers that this project knows. Nothing is written to any other servo.
 bool isSupported(const ServoFacts& servo, const Permitted& permitted);

@@ -19,7 +19,6 @@ namespace {
 /// A short read takes 1 to 2 ms through USB, up to 3.8 ms if it misses two USB frames. From here on something else
 /// delays it; from kLatencySignature on with little variation it is the latency timer.
 constexpr Nanos kUsbDelayed{4'000'000}, kUsbDelayedSometimes{5'500'000};
-constexpr Nanos kTimerDelay{7'000'000};   // of the shortest read
 constexpr Nanos kTimerSpread{3'000'000};  // two USB frames and a byte
 constexpr double kLoaded = 0.1;           // mean load of the servos
 constexpr double kLowSupplyV = kBatteryLowV;
@@ -124,13 +123,12 @@ class Naming {
   }
 
   void nameTheLine() {
-    const Nanos usual = facts_.round_trip, spread = facts_.long_round_trip - facts_.shortest_round_trip;
-    const std::string times = "short reads take " + inMs(facts_.shortest_round_trip) + " to " +
-                              inMs(facts_.long_round_trip) + ", median " + inMs(usual);
-    const bool constant = facts_.shortest_round_trip >= kTimerDelay && spread <= kTimerSpread;
+    const auto& [reads, shortest, median, high] = facts_.round_trip;
+    const std::string times = "short reads take " + inMs(shortest) + " to " + inMs(high) + ", median " + inMs(median);
+    const bool constant = isTimer(facts_.round_trip) && high - shortest <= kTimerSpread;
     if (has(Kind::kLatencyTimer) || constant)
       name(BusFault::kLatencyTimer, times);
-    else if (usual >= kUsbDelayed || facts_.long_round_trip >= kUsbDelayedSometimes)
+    else if (median >= kUsbDelayed || high >= kUsbDelayedSometimes)
       name(BusFault::kUsbDelays, times + ": a latency timer would delay all of them alike");
     else if (const auto loose = findLooseConnector(facts_))
       name(placeOf(*loose, facts_.board));

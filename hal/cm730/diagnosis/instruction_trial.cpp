@@ -38,7 +38,7 @@ class Trial {
     if (!result.bulk_read) return;
     trySyncWrite();
     // With a slow port each length would cost the full delay; the cycle is too long in any case.
-    if (facts_.round_trip < kLatencySignature) tryBlockLengths();
+    if (facts_.round_trip.median < kLatencySignature) tryBlockLengths();
   }
 
  private:

@@ -64,7 +64,7 @@ class Observation {
     for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i)
       if (silent(facts_.servo[i]) && answersPing(kJointTable[i].id)) ++facts_.servo[i].late_answers;
   }
-  bool answersPing(std::uint8_t id) { return note(ping(line_, id, {1, facts_.round_trip + kPingMargin})).ok(); }
+  bool answersPing(std::uint8_t id) { return note(ping(line_, id, {1, facts_.round_trip.median + kPingMargin})).ok(); }
 
   void checkPower() {
     if (facts_.board.absent || facts_.observed.power_losses >= kMostPowerLosses) return;
@@ -82,7 +82,7 @@ class Observation {
       ServoFacts& servo = facts_.servo[i];
       if (!servo.readable) continue;
       ++servo.long_reads;
-      const Patience once{1, facts_.round_trip + kReplyMargin};
+      const Patience once{1, facts_.round_trip.median + kReplyMargin};
       const bool answered = note(readRegisters(line_, kJointTable[i].id, 0, kTableBytes, once)).ok();
       if (!answered) ++servo.long_losses;
       burst_.note(line_, facts_, answered);
@@ -123,7 +123,7 @@ void LossBurst::note(ByteLine& line, RobotFacts& facts, bool answered) {
   in_a_row_ = answered ? 0 : in_a_row_ + 1;
   if (in_a_row_ < 2 || facts.lost) return;
   in_a_row_ = 0;
-  const Answer board = ping(line, kBoardId, {1, facts.round_trip + kReplyMargin});
+  const Answer board = ping(line, kBoardId, {1, facts.round_trip.median + kReplyMargin});
   const LineStatus waited = board.status == LineStatus::kTimeout ? pass(line, kFrameTimeout) : board.status;
   facts.lost = waited == LineStatus::kLost;
 }

@@ -7,6 +7,7 @@
 #include "core/conversions.hpp"
 #include "core/packet.hpp"
 #include "core/registers.hpp"
+#include "hal/cm730/diagnosis/cycle_time.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/instruction_trial.hpp"
 #include "hal/cm730/diagnosis/observation.hpp"
@@ -21,6 +22,10 @@ constexpr std::uint8_t kBoardBytes = find(kCm730, "voltage").address + 1;  // 0.
 constexpr Nanos kServoBoot{300'000'000};       // as upstream waits after switching servo power on
 constexpr Nanos kStallMargin{10'000'000};      // scheduling delay of a busy PC; not a loss
 constexpr Nanos kMarginOverMedian{3'000'000};  // delay by other programs and USB frames
+
+// Five measurements take half a second: starting programs keep a computer busy for less.
+constexpr int kRoundTripAttempts = 5;
+constexpr Nanos kBetweenAttempts{50'000'000};
 
 constexpr Patience kOnePing{1, Nanos{20'000'000}};  // a latency timer of 16 ms
 
@@ -96,19 +101,32 @@ class Probe {
     requests_.patience = {};
   }
 
+  /// A computer that starts other programs delays some reads for a while: measured again until the cycle fits.
   void measureRoundTrip() {
+    RoundTrip least;
+    for (int attempt = 0; attempt < kRoundTripAttempts && !facts_.lost; ++attempt) {
+      if (attempt > 0 && pass(line_, kBetweenAttempts) == LineStatus::kLost) facts_.lost = true;
+      const RoundTrip measured = readRepeatedly();
+      if (measured.reads > 0 && (least.reads == 0 || measured.median < least.median)) least = measured;
+      facts_.round_trip = least;
+      if (cycleFits(facts_) || isTimer(least)) break;
+    }
+    // From here on a silent servo costs little time.
+    if (least.reads > 0)
+      requests_.patience.margin = std::min(requests_.patience.margin, least.median + kMarginOverMedian);
+  }
+
+  RoundTrip readRepeatedly() {
     std::vector<Nanos> took;
     for (int i = 0; i < options_.round_trip_reads && !facts_.lost; ++i)
       if (const Answer answer = requests_.read(round_trip_id_, 0, 2); answer.ok() && answer.tries == 1)
         took.push_back(answer.took);
-    facts_.round_trip_reads = static_cast<int>(took.size());
-    if (took.empty()) return;
+    if (took.empty()) return {};
     std::ranges::sort(took);
-    facts_.round_trip = took[took.size() / 2];
-    facts_.shortest_round_trip = took.front();
-    facts_.long_round_trip = took[took.size() * 9 / 10];
-    // From here on a silent servo costs little time.
-    requests_.patience.margin = std::min(requests_.patience.margin, facts_.round_trip + kMarginOverMedian);
+    return {.reads = static_cast<int>(took.size()),
+            .shortest = took.front(),
+            .median = took[took.size() / 2],
+            .high = took[took.size() * 9 / 10]};
   }
 
   void switchServosOn() {
@@ -134,8 +152,8 @@ class Probe {
         if (!servo.readable) continue;
         if (facts_.lost || line_.now() >= until) return;
         ++servo.reads;
-        const Answer answer = requests_.note(
-            readRegisters(line_, kJointTable[i].id, servo::kPresentPosition, 2, {1, facts_.round_trip + kStallMargin}));
+        const Answer answer = requests_.note(readRegisters(line_, kJointTable[i].id, servo::kPresentPosition, 2,
+                                                           {1, facts_.round_trip.median + kStallMargin}));
         if (!answer.ok()) ++servo.losses;
         if (options_.observe) burst.note(line_, facts_, answer.ok());
       }

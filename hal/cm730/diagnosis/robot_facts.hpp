@@ -104,6 +104,13 @@ struct ObservedFacts {
   std::vector<std::uint8_t> stray_ids;  // answering ids that no servo of this robot has
 };
 
+/// Short reads, from the request to the last byte.
+struct RoundTrip {
+  int reads = 0;  // answered at the first attempt; 0: not measured, and the times are not valid
+  Nanos shortest{0}, median{0};
+  Nanos high{0};  // 90th percentile
+};
+
 struct RobotFacts {
   std::string port;                    // for messages
   Nanos period{16'000'000};            // period of the loop
@@ -115,9 +122,7 @@ struct RobotFacts {
   std::array<ServoFacts, kJoints> servo;
   InstructionFacts instructions;
   ObservedFacts observed;
-  Nanos round_trip{0};                               // median of short reads, request to last byte
-  Nanos shortest_round_trip{0}, long_round_trip{0};  // minimum and 90th percentile
-  int round_trip_reads = 0;                          // answered ones; 0: not measured
+  RoundTrip round_trip;
   Nanos took{0};
 };
 

@@ -40,8 +40,8 @@ RobotFacts healthy() {
     servo.position = Rad{0};
     servo.reads = 3;
   }
-  facts.round_trip = 1200us;
-  facts.round_trip_reads = 9;
+  facts.round_trip.median = 1200us;
+  facts.round_trip.reads = 9;
   return facts;
 }
 
@@ -62,32 +62,32 @@ TEST(Diagnosis, OneLossIsAcceptedTwoInSixtyAreReported) {
 
 TEST(Diagnosis, TheLatencySignatureBeginsAtEightMilliseconds) {
   RobotFacts facts = healthy();
-  facts.round_trip = 7999us;
+  facts.round_trip.median = 7999us;
   EXPECT_FALSE(has(diagnose(facts), Kind::kRoundTripLong));
-  facts.round_trip = 8ms;
+  facts.round_trip.median = 8ms;
   EXPECT_TRUE(has(diagnose(facts), Kind::kRoundTripLong));
   EXPECT_EQ(worst(diagnose(facts)), Level::kError) << "longer than the loop's reply timeout";
 }
 
 TEST(Diagnosis, ACycleIsBytesDelaysAndUsb) {
   RobotFacts facts = healthy();
-  facts.round_trip = 160us;  // wire time only
+  facts.round_trip.median = 160us;  // wire time only
   // 188 + 70 + 36 + 19 x 12 + 26 bytes
   EXPECT_EQ(cycleTime(facts), 5480us);
   facts.servo[0].return_delay = 250;
   EXPECT_EQ(cycleTime(facts), 5980us);
-  facts.round_trip = 1160us;
+  facts.round_trip.median = 1160us;
   EXPECT_EQ(cycleTime(facts), 6980us);
 }
 
 TEST(Diagnosis, APeriodMustFitAFullWriteAndLeaveAMillisecondWithGoalsOnly) {
   RobotFacts facts = healthy();
   facts.period = 8ms;
-  facts.round_trip = 160us + 2500us;  // as much as the bus waits for a reply at 8 ms
+  facts.round_trip.median = 160us + 2500us;  // as much as the bus waits for a reply at 8 ms
   EXPECT_TRUE(cycleFits(facts)) << "5.48 + 2.5 ms, and 4.28 + 2.5 ms";
-  facts.round_trip += 1us;
+  facts.round_trip.median += 1us;
   EXPECT_FALSE(cycleFits(facts));
-  facts.round_trip = 160us;
+  facts.round_trip.median = 160us;
   for (ServoFacts& servo : facts.servo) servo.return_delay = 63;  // 2.52 ms together
   EXPECT_TRUE(cycleFits(facts));
   for (ServoFacts& servo : facts.servo) servo.return_delay = 64;  // 2.56 ms
@@ -154,7 +154,7 @@ TEST(Diagnosis, EveryFindingHasARemedyOrRefersToAnotherRow) {
   for (const Joint joint : {Joint::kLegLowerR, Joint::kAnkleR, behind_a_break})
     facts.servo[index(joint)].found = facts.servo[index(joint)].readable = false;
   facts.board.voltage = Volt{9.0};
-  facts.round_trip = 17ms;
+  facts.round_trip.median = 17ms;
   const Findings rows = diagnose(facts);
   EXPECT_THAT(rowOf(rows, behind_a_break).what, HasSubstr(servoName(Joint::kLegLowerR)));
   for (const Finding& row : rows) {

@@ -43,7 +43,7 @@ struct ProbeBench {
 /// An adapter that delays replies.
 class SlowLine : public ByteLine {
  public:
-  SlowLine(hil::MemoryLine& line, Nanos delay) : line_{line}, delay_{delay} {}
+  SlowLine(hil::MemoryLine& line, Nanos delay) : delay_{delay}, line_{line} {}
   [[nodiscard]] Nanos now() noexcept override { return line_.now(); }
   LineStatus write(std::span<const std::uint8_t> bytes) noexcept override {
     not_before_ = line_.now() + delay_;
@@ -56,9 +56,26 @@ class SlowLine : public ByteLine {
   void discardInput() noexcept override { line_.discardInput(); }
   [[nodiscard]] std::uint32_t reconnects() const noexcept override { return line_.reconnects(); }
 
+ protected:
+  Nanos delay_;
+
  private:
   hil::MemoryLine& line_;
-  Nanos delay_, not_before_{0};
+  Nanos not_before_{0};
+};
+
+/// A computer that is busy until a time and serves one reply in four without delay.
+class BusyLine final : public SlowLine {
+ public:
+  BusyLine(hil::MemoryLine& line, Nanos until) : SlowLine{line, Nanos{0}}, until_{until} {}
+  LineStatus write(std::span<const std::uint8_t> bytes) noexcept override {
+    delay_ = now() < until_ && ++writes_ % 4 != 0 ? Nanos{12'000'000} : Nanos{0};
+    return SlowLine::write(bytes);
+  }
+
+ private:
+  Nanos until_;
+  int writes_ = 0;
 };
 
 }  // namespace darwinop::cm730

@@ -23,6 +23,7 @@ using hil::BoardOptions;
 using hil::ServoOptions;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 constexpr std::size_t at(Joint joint) {
@@ -275,6 +276,24 @@ TEST(Probe, DetectsAnFtdiTimerByItsSignatureAndReportsTheCommand) {
   EXPECT_THAT(row.remedy, HasSubstr("/sys/bus/usb-serial/devices/ttyUSB1/latency_timer"));
   EXPECT_EQ(rowOf(report.findings, Joint::kLegLowerR).level, Level::kOk) << "a slow servo is not silent";
   EXPECT_LT(report.facts.took, 1300ms) << "loss reads must stop when their time is over";
+}
+
+TEST(Probe, AComputerThatIsBusyForAQuarterOfASecondPasses) {
+  ProbeBench bench;
+  BusyLine busy{bench.line, bench.line.now() + 250ms};
+  const ProbeReport report = probe(busy, ProbeOptions::quick());
+  EXPECT_EQ(worst(report.findings), Level::kOk) << allRows(report);
+}
+
+TEST(Probe, AComputerThatStaysBusyIsNotTakenForALatencyTimer) {
+  ProbeBench bench;
+  BusyLine busy{bench.line, bench.line.now() + 1h};
+  const ProbeReport report = probe(busy, ProbeOptions::quick());
+  for (const Kind kind : {Kind::kRoundTripLong, Kind::kCycleTooLong}) {
+    const Finding row = rowOf(report.findings, kind);
+    EXPECT_THAT(row.remedy, HasSubstr("end other programs"));
+    EXPECT_THAT(row.remedy, Not(HasSubstr("latency_timer")));
+  }
 }
 
 TEST(Probe, AFastAdapterPasses) {

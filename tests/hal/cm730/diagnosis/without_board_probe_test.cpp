@@ -36,7 +36,7 @@ TEST_F(ProbeWithoutBoard, HealthyServosAreDrivenWithoutAFinding) {
     EXPECT_TRUE(nameFaults(report.facts, report.findings).empty());
     EXPECT_TRUE(report.facts.instructions.bulk_read && report.facts.instructions.sync_write);
     EXPECT_TRUE(report.facts.instructions.all_blocks);
-    EXPECT_GT(report.facts.round_trip_reads, 0);
+    EXPECT_GT(report.facts.round_trip.reads, 0);
   }
 }
 
