@@ -91,6 +91,9 @@ struct Commands {
   std::int64_t made_ns = 0;
   /// True in the last image of a session that ends normally.
   Flag end_of_session{};
+  /// True in the last image of a session that leaves the robot holding, at most for gone_s: a takeover or a move to the
+  /// start pose that still runs is stopped where it is, and a robot without torque stays so.
+  Flag hold{};
   /// Counts requests to clear latched faults; a change is one request. Ignored if `unattended`.
   std::uint32_t fault_resets = 0;
   /// Take over in the present pose, without the slow move to the start pose.

@@ -14,19 +14,10 @@ constexpr double kAtRest = 0.1;               // rad: maximum distance of a join
 constexpr std::uint32_t kMaxPositionAge = 3;  // cycles: an older position may be far off
 
 /// Position at which to hold a joint; unknown if it has no goal.
-Rad holdPosition(const Sensors& seen, bool start_where_it_is, std::size_t joint) {
-  const JointSensors& now = seen.joint[joint];
-  const bool to_start_pose = seen.safety.state != State::kDriven && !start_where_it_is;
-  if (to_start_pose) return radFromTicks(kJointTable[joint].start);  // every session starts with a move there
+Rad holdPosition(const JointSensors& now) {
   const bool on_the_way =
       std::abs(now.commanded.value - now.position.value) > kAtRest && now.motion.age <= kMaxPositionAge;
   return on_the_way ? now.position : now.commanded;
-}
-
-/// No joint is driven yet: the robot was limp, or stiff without a loop, before the session.
-bool stillTakesOver(const Sensors& seen) {
-  return !drives(seen.safety.state) || (seen.safety.state == State::kTakingOver &&
-                                        std::ranges::none_of(seen.joint, [](const auto& j) { return j.driven; }));
 }
 
 }  // namespace
@@ -75,15 +66,13 @@ std::string DriverSession::loopEnd(const Sensors& seen) {
 
 /// Safety holds a silent driver only after stall_ms, and lets a slow joint continue to its goal; this holds at once.
 void DriverSession::hold(Commands& commands) {
+  if (!published_) return;  // without commands no session has begun
   const Sensors seen = sensors();
-  if (stillTakesOver(seen)) {
-    if (published_) end(commands);  // without commands, safety knows of no session
-    return;
-  }
   for (std::size_t i = 0; i < kJoints; ++i)
-    if (const Rad rest = holdPosition(seen, commands.start_where_it_is, i); rest.known())
-      commands.joint[i].setGoal(rest);
-  publish(commands);
+    if (const Rad rest = holdPosition(seen.joint[i]); rest.known()) commands.joint[i].setGoal(rest);
+  Commands last = commands;
+  last.hold = true;
+  publish(last);
   link_->leaveHolding();
 }
 

@@ -42,10 +42,9 @@ class DriverSession {
   /// Why the loop has ended; empty: it runs. Never blocks.
   [[nodiscard]] std::string loopEnd(const Sensors& seen);
 
-  /// Sets each joint's goal in `commands` to its present position and publishes them. The robot then holds until the
-  /// next session begins, at most gone_s. No effect if the loop ends with the link (RobotLink::bringsToRest()).
-  /// Before a joint is driven it ends the session instead: a takeover that was cancelled must not make a limp robot
-  /// stiff.
+  /// Sets each joint's goal in `commands` to its present position and publishes them with Commands::hold. The robot
+  /// then holds until the next session begins, at most gone_s; one without torque stays limp. No effect before the
+  /// first publish(), or if the loop ends with the link (RobotLink::bringsToRest()).
   void hold(Commands& commands);
   /// Ends the session as configured by [Safety] on_exit.
   void end(Commands last);

@@ -50,7 +50,7 @@ struct Layout<RequestWord> {
 DARWINOP_LAYOUT(JointCommand, set, torque_on, goal, speed_limit, torque_limit, p_gain);
 DARWINOP_LAYOUT(LedCommand, set, panel, head, eye);
 DARWINOP_LAYOUT(SessionSettings, numbers, given);
-DARWINOP_LAYOUT(Commands, joint, led, session, sequence, made_ns, end_of_session, fault_resets, start_where_it_is,
+DARWINOP_LAYOUT(Commands, joint, led, session, sequence, made_ns, end_of_session, hold, fault_resets, start_where_it_is,
                 unattended, settings, loop_ends, operator_resets, operator_releases);
 
 DARWINOP_LAYOUT(Freshness, age);

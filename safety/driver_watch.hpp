@@ -38,6 +38,9 @@ class DriverWatch {
     silence_ = alive || excused || ended_ || session_ == 0 ? Nanos{0} : silence_ + dt;
   }
 
+  /// There is nothing to hold for the session.
+  void end() noexcept { ended_ = true; }
+
   /// True in the cycle in which a new session is first seen.
   [[nodiscard]] bool came() const noexcept { return came_; }
   /// True if this cycle's image belongs to the session that drives.

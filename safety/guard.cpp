@@ -65,6 +65,8 @@ void Guard::take(const Commands& asked, Nanos dt) noexcept {
   if (asked.loop_ends) config_.on_exit = robot_config_.on_exit;
   if (driver_.resetAsked()) clearFaults();
   if (!driver_.obeyed()) return;
+  holds_only_ = asked.hold;
+  if (holds_only_ && state_ == State::kLimp && allKnown() && !anyStiff()) driver_.end();
   for (std::size_t i = 0; i < kJoints; ++i) joints_[i].take(asked.joint[i], report_.limit_hits);
 }
 

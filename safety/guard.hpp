@@ -78,6 +78,7 @@ class Guard {
 
   State state_ = State::kOffline;
   bool in_place_ = false;           // this session starts without a move to the start pose
+  bool holds_only_ = false;         // this session has left the robot holding: nothing is taken over or moved any more
   bool started_ = false;            // this session's start is complete
   SafeCommands::Mask polling_;      // joints polled by the last commands; torque is switched on for these only
   int polling_for_ = 0;             // cycles with a reply of the board in which the servos' torque is not yet known

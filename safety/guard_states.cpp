@@ -26,7 +26,7 @@ std::optional<Event> Guard::findEvent() const noexcept {
   const Reaction demand = demanded();
   if (demand >= Reaction::kLimp) return holds() ? Event::kRelease : findEventAtRest();
   if (demand == Reaction::kKneel && state_ != State::kKneeling) return holds() ? Event::kKneel : findEventAtRest();
-  const bool wanted = driver_.present() && demand < Reaction::kKneel;
+  const bool wanted = driver_.present() && !holds_only_ && demand < Reaction::kKneel;
   if (driver_.came() && wanted) return Event::kDriverCame;
   return findEventOf(state_, wanted, demand == Reaction::kHold);
 }
@@ -39,7 +39,7 @@ std::optional<Event> Guard::findEventOffline() const noexcept {
   const bool polled = !board_.powered() || allKnown() || polling_for_ > kTwoRounds;
   if (board_.absent() && !polled) return std::nullopt;
   if (anyStiff() || holding_up_) return Event::kStiffSeen;
-  return polled || driver_.present() ? std::optional{Event::kBoardFound} : std::nullopt;
+  return polled || (driver_.present() && !holds_only_) ? std::optional{Event::kBoardFound} : std::nullopt;
 }
 
 std::optional<Event> Guard::findEventAtRest() const noexcept {
@@ -77,10 +77,11 @@ std::optional<Event> Guard::findEventOf(State state, bool wanted, bool hold) con
     case State::kFoundStiff:
       return wanted ? Event::kDriverCame : findEventAtRest();
     case State::kTakingOver:
-      if (driver_.ended() && stillLimp()) return Event::kRelease;  // whatever on_exit says
+      if ((driver_.ended() || holds_only_) && stillLimp()) return Event::kRelease;  // whatever on_exit says
+      if (holds_only_) return holding_up_ ? Event::kHold : Event::kStiffSeen;
       return when(takenOver(), in_place_ || started_ ? Event::kTakenOverInPlace : Event::kTakenOver);
     case State::kStarting:
-      return hold ? Event::kHold : when(arrived, Event::kStartDone);
+      return hold || holds_only_ ? Event::kHold : when(arrived, Event::kStartDone);
     case State::kDriven:
       return when(hold, Event::kHold);
     case State::kHolding:

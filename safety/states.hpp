@@ -22,7 +22,7 @@ enum class Event : std::uint8_t {
   kStartDone,         // the start pose is reached, or the move timed out
   kResume,            // the reason to hold is gone
   kKnelt,             // the robot sits
-  kStiffSeen,         // no session drives, but a servo has torque
+  kStiffSeen,         // no session drives, but a servo has torque, or may have
   kLimpSeen,          // no servo that replies has torque any more
   kCount
 };
@@ -42,6 +42,8 @@ constexpr State next(State state, Event event) {
   switch (state) {
     case State::kTakingOver:
       if (event == Event::kTakenOver) return State::kStarting;
+      if (event == Event::kHold) return State::kHolding;
+      if (event == Event::kStiffSeen) return State::kFoundStiff;
       return event == Event::kTakenOverInPlace ? State::kDriven : state;
     case State::kStarting:
       if (event == Event::kHold) return State::kHolding;

@@ -290,7 +290,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H417", "A limp robot gets torque without a controller", "a session ends while it takes the robot over",
      "without torque nothing is sat down or held", "limp",
      "safety_test:TakeOver.ALimpRobotStaysLimpIfTheSessionEndsBeforeTorqueIsOn "
-     "runtime_test:Driver.HoldingBeforeAJointIsDrivenEndsTheSession "
+     "safety_test:Hold.ARobotWithoutTorqueStaysLimpWheneverItIsStopped "
      "window_test:WindowDriveThread.AStopBeforeTorqueLeavesTheRobotLimp",
      "always"},
     {"H418", "The robot stands with nothing to watch it", "the daemon ends a session that holds at its end",
@@ -311,6 +311,12 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "STOP works from every page until the robot holds", "all joints hold at once",
      "window_test:WindowSteeringSession.StopWorksWhileTheLastStepsAreCompleted "
      "window_test:WindowSteeringSession.EveryPageCanStopTheRobot",
+     "always"},
+    {"H423", "A person stops the robot, and it moves", "it is being taken over, starts, or its cable is out",
+     "a stopped session takes nothing over and moves nothing", "held as it is",
+     "safety_test:Hold.AMoveToTheStartPoseEndsWhereItIs "
+     "safety_test:Hold.ARobotThatAnotherProgramLeftStiffIsLeftAsItIs "
+     "safety_test:Hold.ARobotHeldByTheSessionBeforeIsHeldOn safety_test:Hold.AStopDuringAnOutageHoldsAfterIt",
      "always"},
     {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",

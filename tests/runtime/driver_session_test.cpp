@@ -134,9 +134,12 @@ TEST_F(Driver, HoldsWithItsLastCommandsOrEndsTheSession) {
   state.image.safety.state = State::kDriven;
   Commands last;
   last.unattended = true;
+  session.publish(last);
   session.hold(last);
   EXPECT_TRUE(state.holds);
-  EXPECT_EQ(state.published_before_hold, 1U) << "a link may send only what was published before";
+  EXPECT_EQ(state.published_before_hold, 2U) << "a link may send only what was published before";
+  EXPECT_TRUE(state.published.back().hold);
+  EXPECT_FALSE(last.hold) << "the caller may publish them again, in a session that drives";
   EXPECT_FALSE(state.published.back().end_of_session);
   EXPECT_TRUE(state.published.back().unattended);
   state.holds = false;
@@ -146,55 +149,36 @@ TEST_F(Driver, HoldsWithItsLastCommandsOrEndsTheSession) {
   EXPECT_TRUE(state.published.back().unattended);
 }
 
-/// A person who presses STOP while the robot is being taken over may have a hand in it.
-TEST_F(Driver, HoldingBeforeAJointIsDrivenEndsTheSession) {
-  for (const State before : {State::kLimp, State::kFoundStiff, State::kTakingOver}) {
-    state.published.clear();
-    state.image.safety.state = before;
-    session.start();
-    Commands commands;
-    session.hold(commands);
-    EXPECT_TRUE(state.published.empty()) << "without commands no session has begun";
-    session.publish(commands);
-    session.hold(commands);
-    EXPECT_TRUE(state.published.back().end_of_session);
-    EXPECT_FALSE(state.holds);
-  }
-  state.image.joint[index(Joint::kNeck)].driven = true;
+TEST_F(Driver, HoldingBeforeTheFirstCommandsPublishesNothing) {
+  session.start();
   Commands commands;
   session.hold(commands);
-  EXPECT_FALSE(state.published.back().end_of_session) << "what has torque must not fall";
-  EXPECT_TRUE(state.holds);
+  EXPECT_TRUE(state.published.empty()) << "no session has begun";
+  EXPECT_FALSE(state.holds);
 }
 
 /// Goal of a joint that is held at `position` on its way to `commanded`; its age in cycles.
 struct HeldJoint {
   const char* why;
-  State state;
-  bool start_where_it_is;
   std::uint32_t age;
   double position, commanded, goal;
 };
 
 TEST_F(Driver, HoldsAJointThatMovesAtItsPositionAndOneAtRestAtItsGoal) {
-  const double start = radFromTicks(row(Joint::kNeck).start).value;
   session.start();
+  session.publish({});
   for (const HeldJoint& held : {
-           HeldJoint{"on its way", State::kDriven, false, 3, 0.3, 1.0, 0.3},
-           {"on its way back", State::kDriven, false, 0, 0.3, -1.0, 0.3},
-           {"at rest: it must not sag", State::kDriven, false, 0, 0.3, 0.39, 0.39},
-           {"its position is old", State::kDriven, false, 4, 0.3, 1.0, 1.0},
-           {"during the move to the start pose", State::kStarting, false, 0, 0.3, 1.0, start},
-           {"not driven, without that move", State::kHolding, true, 0, 0.3, 1.0, 0.3},
+           HeldJoint{"on its way", 3, 0.3, 1.0, 0.3},
+           {"on its way back", 0, 0.3, -1.0, 0.3},
+           {"at rest: it must not sag", 0, 0.3, 0.39, 0.39},
+           {"its position is old", 4, 0.3, 1.0, 1.0},
        }) {
-    state.image.safety.state = held.state;
     JointSensors& neck = state.image.joint[index(Joint::kNeck)];
     neck.motion.received();
     neck.motion.age = held.age;
     neck.position = Rad{held.position};
     neck.commanded = Rad{held.commanded};
     Commands commands;
-    commands.start_where_it_is = held.start_where_it_is;
     commands.joint[index(Joint::kNeck)].setGoal(Rad{2});
     session.hold(commands);
     EXPECT_EQ(state.published.back().joint[index(Joint::kNeck)].goal, Rad{held.goal}) << held.why;
@@ -206,6 +190,7 @@ TEST_F(Driver, GivesAJointWithoutAGoalNoneToHold) {
   session.start();
   state.image.safety.state = State::kDriven;
   Commands commands;
+  session.publish(commands);
   session.hold(commands);
   for (const JointCommand& joint : state.published.back().joint) EXPECT_FALSE(joint.has(JointCommand::kGoal));
 }

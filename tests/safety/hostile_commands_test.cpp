@@ -47,7 +47,7 @@ RC_GTEST_PROP(GuardProperty, RandomBytesInPlaceOfCommandsStayWithinTheLimits, ()
     if (random() % 8 == 0) commands.led = image.led;
     if (random() % 20 == 0) commands = image;
     if (random() % 50 == 0) ++commands.session;
-    if (random() % 10 != 0) commands.end_of_session = false;
+    if (random() % 10 != 0) commands.end_of_session = commands.hold = false;
     ++commands.sequence;
     const SafeCommands safe = guard.vet(commands, robot.seen);
     const std::string wrong = invariants.check(safe, robot.seen);

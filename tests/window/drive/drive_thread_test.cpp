@@ -177,8 +177,7 @@ TEST_F(WindowDriveThread, AStopBeforeTorqueLeavesTheRobotLimp) {
     std::this_thread::sleep_for(1ms);
   drive.stop();
   ASSERT_TRUE(reaches(DriveState::kFree));
-  EXPECT_TRUE(robotHas(&FakeRobot::published).end_of_session);
-  EXPECT_FALSE(robotHas(&FakeRobot::left_holding));
+  EXPECT_TRUE(robotHas(&FakeRobot::published).hold);
 }
 
 TEST_F(WindowDriveThread, StartsWithoutTheRequestsAndTheReasonOfBefore) {
