@@ -175,13 +175,24 @@ stop_sent_controller() {
   say "$name stopped"
 }
 
-# A holder of the lease that no other step of --stop knows.
+# That of the runtime; or without one a program that has the serial port: a controller that hosts its own loop.
+other_driver() {
+  if daemon_ready; then
+    robot_driver
+    return
+  fi
+  ls -l /proc/[0-9]*/fd 2>/dev/null | awk -v port=" -> $(readlink -f "$(robot_port)")" '
+    /^\/proc\// { split($0, part, "/"); process = part[3] }
+    substr($0, length($0) - length(port) + 1) == port { print process; exit }'
+}
+
+# What drives and the other steps do not handle.
 stop_other_driver() {
-  driver=$(robot_driver)
+  driver=$(other_driver)
   [ -n "$driver" ] || return 0
   name=$(cat "/proc/$driver/comm" 2>/dev/null)
   stop_process "$driver"
-  driver=$(robot_driver)
+  driver=$(other_driver)
   [ -z "$driver" ] || die "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) $msg_still_drives: sudo kill -INT $driver (on the robot), or hold the robot and press MODE briefly"
   say "$name $msg_other_stopped"
 }

@@ -52,9 +52,7 @@ wake_runtime() {
 report_driver() {
   driver=$(robot_driver)
   [ -n "$driver" ] || return 0
-  end_it="darwinop install --stop"
-  is_running || is_default_controller "$driver" || is_from_elsewhere "$driver" || end_it="sudo kill -INT $driver (on the robot)"
-  say "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) drives this robot, and the window observes. To drive from the window, end it first: $end_it"
+  say "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) drives this robot, and the window observes. To drive from the window, end it first: darwinop install --stop"
 }
 
 start_for_window() {

@@ -224,6 +224,18 @@ scenario_stop_ends_a_program_that_was_started_on_the_robot_itself() {
   ! kill -0 "$driver" 2>/dev/null || fail "it goes on"
 }
 
+scenario_stop_ends_a_program_that_drives_without_a_runtime() {
+  printf '[Robot]\nport = /tmp/port\n' >"$ROBOT/opt/darwinop/robot.ini"
+  : >"$ROBOT/tmp/port"
+  sed -i '2i case $* in *--status*) exit 1 ;; esac' "$ROBOT/opt/darwinop/current/bin/darwinop-runtime"
+  env --default-signal=INT sleep 300 3<"$ROBOT/tmp/port" &
+  local driver=$!
+  run_install --stop
+  expect_status 0
+  expect_said "sleep $msg_other_stopped"
+  ! kill -0 "$driver" 2>/dev/null || fail "it goes on"
+}
+
 scenario_stop_fails_if_something_still_drives() {
   fake_driver 99999
   run_install --stop

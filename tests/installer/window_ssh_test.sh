@@ -84,7 +84,7 @@ scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   until grep -qs driving "$LAB/their-client"; do sleep 0.02; done
   start_window
   open_page
-  expect_said "darwinop-remote \(process [0-9]+\) .* kill -INT [0-9]+"
+  expect_said "darwinop-remote \(process [0-9]+\) .* darwinop install --stop"
   page eyes monitor '{"rate":62.5}'
   await_page eyes '"state":"driven"'
   page hand steering '{"take":true}' '{}'
