@@ -74,9 +74,12 @@ test('a slider moves its joint, and a dragged arm follows the pointer', async ()
   });
   assert.ok((await handAt()).y < before_drag.y - 5, 'the hand went up');
 
-  await page.click('#stop');
+  // A tablet beside the robot, which does not drive, stops it as well.
+  const tablet = await openPage();
+  await tablet.click('#stop');
   await page.locator('body:not(.driving)').waitFor();
   await stateIs(page, 'holding');
+  await tablet.close();
   await page.close();
 });
 

@@ -21,7 +21,6 @@ export class SteerBar {
     const {drives, asking, ending, text, doing} = this.steering;
     document.body.classList.toggle('driving', drives);
     this.take.hidden = drives || asking || ending;
-    this.stop.disabled = !drives && !asking && !ending;
     setText(this.status, drives ? `You are driving${doing.refused ? `; refused: ${doing.refused}` : ''}` : text);
   }
 }
