@@ -145,7 +145,7 @@ void TcpLink::takeImage(const ReplyExtension& extension, TcpState before) {
   image_ = seen;
   image_at_ = clock_.now();
   shown_ = image_;
-  was_driven_ = was_driven_ || drives(image_.safety.state);
+  was_driven_ = was_driven_ || std::ranges::any_of(image_.joint, &JointSensors::driven);
   faults_.update(image_);
 }
 
