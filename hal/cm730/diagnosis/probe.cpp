@@ -109,7 +109,7 @@ class Probe {
       const RoundTrip measured = readRepeatedly();
       if (measured.reads > 0 && (least.reads == 0 || measured.median < least.median)) least = measured;
       facts_.round_trip = least;
-      if (cycleFits(facts_) || isTimer(least)) break;
+      if (least.reads > 0 && (cycleFits(facts_) || isTimer(least))) break;
     }
     // From here on a silent servo costs little time.
     if (least.reads > 0)
