@@ -18,6 +18,7 @@
 
 #include "hal/process/child_process.hpp"
 #include "hal/signals.hpp"
+#include "runtime/daemon_link.hpp"
 #include "runtime/exchange.hpp"
 #include "runtime/messages.hpp"
 #include "runtime/names.hpp"
@@ -29,6 +30,8 @@
 
 namespace darwinop::runtime {
 namespace {
+
+constexpr int kLeftAlone = 1;
 
 volatile sig_atomic_t child_pid = 0;
 
@@ -60,6 +63,12 @@ class LoopFigures {
     if (!timed || !exchange_.block().sensors.read(last) || last.safety.state == State::kLimp) return false;
     if (last.safety.state == State::kOffline && everAnswered(last).none()) return false;
     return !(ended_well && last.safety.at_end == Reaction::kHold);
+  }
+
+  /// Its process has died without bringing the robot to rest.
+  [[nodiscard]] bool daemonDied() const {
+    const ExchangeBlock& block = exchange_.block();
+    return block.closing.load() == ExchangeBlock::kOpen && daemonPid(RuntimeFiles{}) != block.info.pid;
   }
 
   void print() const {
@@ -151,23 +160,25 @@ int runController(const RunRequest& request) {
     return Exchange::attach(files.exchange, Exchange::Access::kRead);
   };
   auto embedded = observer.path().empty() ? std::nullopt : tryAttach(attach, RuntimeFiles{observer.path()});
+  bool left_alone = false;  // nothing watches a robot whose joints may have torque
   if (embedded) {
-    if (embedded->leftTorque(ending.isNormal()))
+    left_alone = embedded->leftTorque(ending.isNormal());
+    if (left_alone)
       std::cerr << messages::kNoLoopLeft
                 << ". Hold the robot: RESET on its back releases torque; a new `darwinop run` drives it again"
                 << std::endl;
     embedded->fromTheBeginning();
     embedded->print();
   } else if (daemon && daemon->driven()) {
+    left_alone = daemon->daemonDied();  // the controller has said so
     daemon->print();
   } else {
     std::cout << '\n'
-              << (isElsewhere(request.robot)
-                      ? "The loop ran on the other computer; its report: darwinop runtime --status there\n"
-                      : reportText({}, {}))
+              << (isElsewhere(request.robot) ? "Report of a loop on another computer: darwinop runtime --status there\n"
+                                             : reportText({}, {}))
               << reportLine({}, {}) << std::endl;
   }
-  return ending.shellStatus();
+  return left_alone && ending.shellStatus() == 0 ? kLeftAlone : ending.shellStatus();
 }
 
 }  // namespace darwinop::runtime

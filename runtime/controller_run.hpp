@@ -19,7 +19,7 @@ struct RunRequest {
 std::string controllerProgram(const std::string& controller);
 
 /// Runs the controller to its end and prints the report; its last line has a stable format (reportLine()). Returns the
-/// exit status for the shell: the controller's, or 128 + signal.
+/// exit status for the shell: the controller's, or 128 + signal; never 0 if joints may have torque without a loop.
 int runController(const RunRequest& request);
 
 }  // namespace darwinop::runtime

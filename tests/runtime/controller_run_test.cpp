@@ -59,7 +59,11 @@ TEST(Run, ReportsAControllerThatWasKilled) {
 }
 
 TEST(Run, SaysThatNoLoopIsLeftWhenTheControllerThatHadItIsKilledOrSkipsItsEnd) {
-  for (const char* how : {"crash", "leave"}) EXPECT_THAT(run(how).warned, HasSubstr(messages::kNoLoopLeft)) << how;
+  for (const char* how : {"crash", "leave"}) {
+    const Outcome outcome = run(how);
+    EXPECT_THAT(outcome.warned, HasSubstr(messages::kNoLoopLeft)) << how;
+    EXPECT_NE(outcome.status, 0) << "joints have torque, whatever the controller returned";
+  }
 }
 
 TEST(Run, HandsOnASignalThatAnotherProcessSends) {

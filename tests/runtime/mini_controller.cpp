@@ -34,7 +34,7 @@ int main(int count, char** arguments) {
   const std::string_view end = count > 1 ? arguments[1] : "";
   if (end == "away") return 3;  // never makes a robot here
   if (end == "crash") drive([] { std::raise(SIGKILL); });
-  if (end == "leave") drive([] { _exit(3); });
+  if (end == "leave") drive([] { _exit(0); });
   SimulatedRobot sim;
   stop_flag = &sim.stop;
   sim.step({}, 20);
