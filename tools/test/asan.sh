@@ -9,6 +9,6 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 no_aslr
 builds
 rm -rf build/asan-ubsan/results
-run_tests asan -j "$places"
+run_side_by_side asan -j "$places"
 measure_tests asan-real-time
 tools/pages.sh check build/asan-ubsan docs/hazards.md

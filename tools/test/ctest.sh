@@ -36,6 +36,20 @@ run_tests() {
   return "$status"
 }
 
+# run_side_by_side PRESET [ARGUMENT...]: as run_tests, but processes in real time (labels slow, browser) that fail beside
+# others are run once more, one at a time with the background stopped: a computer that others keep busy misses limits of
+# seconds. All other failures are final.
+run_side_by_side() {
+  local status=0
+  run_tests "$@" && return
+  [ "$(ctest --preset "$1" --rerun-failed -N -LE '^(slow|browser)$' | sed -n 's/^Total Tests: //p')" = 0 ] || return 1
+  say "once more, one at a time with nothing in the background"
+  background_is STOP
+  run_tests "$1" --rerun-failed || status=$?
+  background_is CONT
+  return "$status"
+}
+
 # measure_tests PRESET: tests that measure real time, one at a time. Those that fail get two more tries with the background
 # stopped: the host of a virtual machine may take its processors away for milliseconds (steal in /proc/stat), and then the
 # program rightly reports late cycles.

@@ -12,6 +12,6 @@ programs=build/robot/bin
 run_tests cross
 under=$programs/run-as-2.6.31
 "$under" "$programs/old_kernel_probe" old
-run_tests i686 -j "$more_places"
+run_side_by_side i686 -j "$more_places"
 measure_tests i686-real-time
 tests/robot/equal_numbers.sh build/release build/robot

@@ -7,6 +7,6 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
 
 builds
-run_tests release -j "$(nproc)"
+run_side_by_side release -j "$(nproc)"
 measure_tests real-time
 tests/benchmarks/run.sh build/release cycle_instructions
