@@ -5,7 +5,7 @@ namespace darwinop::remote::messages {
 
 // Connection. Before some of them the server's name, after some of them a time or a reason.
 inline constexpr const char* kNoServer =
-    ". Start `darwinop remote` there, with --receive and --allow for this computer. It also refuses connections while "
+    ". Start `darwinop remote` there, with --listen and --allow for this computer. It also refuses connections while "
     "another client drives";
 inline constexpr const char* kInvalidReply = "the reply is not valid; check that the port is that of darwinop remote";
 inline constexpr const char* kNoReplyFor = "no reply for ";
