@@ -63,7 +63,8 @@ int show(const Arguments& a) {
 
 int convert(const Arguments& a) {
   MotionFile file = openMotions(a.file);
-  file.is_text = !file.is_text;
+  const bool to_text = a.to_file.ends_with(".txt"), to_binary = a.to_file.ends_with(".bin");
+  file.is_text = to_text || (!to_binary && !file.is_text);
   writeMotionFile(a.to_file, file);
   std::cout << (file.is_text ? "text: " : "binary: ") << a.to_file << '\n';
   return 0;
@@ -136,7 +137,9 @@ void describe(CLI::App& app, Arguments& a, Action& action) {
   CLI::App& converted =
       command("convert", convert, "convert between binary and text files", "convert motion_4096.bin motion.txt");
   converted.add_option("FROM", a.file, kFileHelp)->required();
-  converted.add_option("TO", a.to_file, "file of the other kind; overwritten if it exists")->required();
+  converted
+      .add_option("TO", a.to_file, "NAME.txt: text, NAME.bin: binary, else the other kind; overwritten if it exists")
+      ->required();
   CLI::App& swapped = with_file(
       command("mirror", mirror, "swap left and right of a page", "mirror motion.txt 12 --to 13 --out both_kicks.txt"));
   addPage(swapped, "PAGE", a.page, "page number")->required();
