@@ -67,6 +67,15 @@ void addBenchmark(CLI::App& parent, gap::Arguments& given, std::vector<Row>& row
                     "exit 1 unless the fair-answer rate is at least this (upper 95 % confidence bound)");
 }
 
+/// The folder of a case, also if its case.json is named.
+std::string caseFolder(const std::string& named) {
+  const std::filesystem::path path{named};
+  if (!std::filesystem::is_regular_file(path)) return named;
+  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+  if (path.filename() == "case.json") return folder;
+  throw CLI::ValidationError{"CASE", named + " is a file; a case is a folder, here perhaps " + folder};
+}
+
 std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   std::vector<Row> rows;
   const auto add = [&](const char* name, const char* what, Command command) {
@@ -75,7 +84,7 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   };
   const auto on_case = [&](CLI::App* one,
                            const char* what = "a folder with case.json and logs, see docs/gap/cases.md") {
-    one->add_option("CASE", given.folder, what)->required();
+    one->add_option("CASE", given.folder, what)->required()->transform(caseFolder);
     return one;
   };
   const auto json = [&](CLI::App* one) { one->add_flag("--json", given.json, "print the result for programs"); };

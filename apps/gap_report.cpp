@@ -92,7 +92,8 @@ int run(const Arguments& given) {
   std::cout << (given.json ? jsonText(asJson(read, outcome), 1) + "\n" : asText(report)) << std::flush;
   if (!given.out.empty()) {
     writeTextFile(given.out, report.model_after);
-    std::cerr << "darwinop gap: " << given.out << " is the model with the effects; the twin reads it\n";
+    std::cerr << "darwinop gap: " << given.out
+              << " is the case's model with the effects; a robot's model takes its [effect ...] sections\n";
   }
   if (!given.no_report) deliver(report, given, folder);
   return code;

@@ -37,7 +37,8 @@ std::optional<std::string> readTextFile(const std::string& path, std::size_t lon
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
   if (file.number < 0 && errno == ENOENT) return std::nullopt;
   struct stat about {};
-  if (file.number < 0 || fstat(file.number, &about) != 0) refuse(path, std::strerror(errno) + std::string{kRemedy});
+  if (file.number < 0 || fstat(file.number, &about) != 0)
+    refuse(path, std::strerror(errno) + std::string{errno == EACCES ? kRemedy : ""});
   if (isNull(about)) return std::string{};
   if (!S_ISREG(about.st_mode)) refuse(path, kindOf(about.st_mode) + std::string{"; give a regular file"});
   const auto check = [&](std::size_t size) {
@@ -50,7 +51,7 @@ std::optional<std::string> readTextFile(const std::string& path, std::size_t lon
   for (;;) {
     const ssize_t size = ::read(file.number, part.data(), part.size());
     if (size < 0 && errno == EINTR) continue;
-    if (size < 0) refuse(path, std::strerror(errno) + std::string{kRemedy});
+    if (size < 0) refuse(path, std::strerror(errno));
     if (size == 0) return text;
     text.append(part.data(), static_cast<std::size_t>(size));
     check(text.size());  // files of /proc report a size of 0
