@@ -6,6 +6,10 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -20,10 +24,11 @@ constexpr unsigned kOpenError = 79;  // lodepng: failed to open the file for wri
 }  // namespace
 
 void writePng(const std::string& file, const RenderedPicture& picture) {
-  errno = 0;
-  const unsigned error = lodepng::encode(file, picture.rgb, static_cast<unsigned>(picture.width),
+  std::vector<unsigned char> bytes;
+  const unsigned error = lodepng::encode(bytes, picture.rgb, static_cast<unsigned>(picture.width),
                                          static_cast<unsigned>(picture.height), LCT_RGB);
   if (error != 0) fail("write", file, error);
+  writeTextFile(file, std::string{bytes.begin(), bytes.end()});  // lodepng's own writer does not notice a full disk
 }
 
 RenderedPicture readPng(const std::string& file) {

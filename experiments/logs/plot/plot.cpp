@@ -24,14 +24,6 @@ std::string nameOf(const PlotOptions& options) {
   return name.string();
 }
 
-void writeFile(const std::string& path, const std::string& text) {
-  std::FILE* file = std::fopen(path.c_str(), "wbe");
-  bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  if (file != nullptr) written = std::fclose(file) == 0 && written;
-  if (!written)
-    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno) + "; choose another path with -o");
-}
-
 }  // namespace
 
 int plotCommand(const PlotOptions& options) {
@@ -41,7 +33,7 @@ int plotCommand(const PlotOptions& options) {
   const Figure figure = makeFigure(all, options);
   for (const std::string& note : figure.notes) std::cerr << "note: " << note << '\n';
   const std::string name = nameOf(options);
-  writeFile(name + ".html", htmlPage(figure));
+  writeTextFile(name + ".html", htmlPage(figure));
   std::cout << name << ".html\n";
   const std::string missing = drawPicture(figure, name + ".png");
   if (missing.empty())
