@@ -69,6 +69,9 @@ SectionName sectionFrom(std::string_view text) {
   }
   if (words.size() == 2 && text::lowered(words[0]) == kLinkSection) return {.plain = linkSection(linkNamed(words[1]))};
   std::string message = "there is no section [" + std::string{text} + "]; ";
+  for (const std::string_view of_settings : {"robot", "offsets"})
+    if (text::lowered(text) == of_settings)
+      throw std::runtime_error(message + "this is a robot's settings file (docs/robot-file.md), not a model");
   if (const EffectInfo* const info = words.empty() ? nullptr : findEffect(text::lowered(words[0])))
     throw std::runtime_error(message + "write an effect as [effect " + std::string{info->id} + "]");
   std::vector<std::string_view> known(plainSections().begin(), plainSections().end());

@@ -53,6 +53,9 @@ std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
   }
   if (robot == "virtual") return std::make_unique<SimulatedRobot>("plain", controller);
   if (robot == "twin" || robot.starts_with("twin:")) return std::make_unique<SimulatedRobot>(robot, controller);
+  if (robot.starts_with('/'))
+    throw std::runtime_error("the window does not open a port: start `darwinop runtime --robot " + robot +
+                             "`, then `darwinop window --robot runtime`");
   throw std::runtime_error("unknown --robot " + robot + "; use twin, twin:MODEL, virtual, runtime or tcp://HOST");
 }
 
