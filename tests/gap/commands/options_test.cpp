@@ -30,6 +30,16 @@ TEST(GapOptions, ThatAreUnknownAreRefusedBeforeTheCommandToo) {
   EXPECT_EQ(shell(kGap + " --json").status, 2) << "no command";
 }
 
+TEST(GapOptions, ACaseIsAlsoNamedByItsCaseJson) {
+  EXPECT_EQ(shell(kGap + " check " + kExample + "/case.json").said, shell(kGap + " check " + kExample).said);
+}
+
+TEST(GapOptions, ALogInPlaceOfACaseIsRefusedWithItsFolder) {
+  const Outcome refused = shell(kGap + " check " + kExample + "/fit_1.csv");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, testing::HasSubstr(kExample));
+}
+
 // They are refused before the case is read as a whole.
 TEST(GapOptions, OfOneServoAreRefusedForAWholeRobot) {
   const TemporaryFolder folder;

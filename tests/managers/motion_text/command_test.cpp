@@ -125,6 +125,8 @@ TEST_F(MotionCommand, OwnSelectsTheBuiltInPages) {
   EXPECT_THAT(output_, StartsWith("own: "));
   EXPECT_EQ(run({"convert", "own", folder_ / "own.bin"}), 0) << output_;
   EXPECT_FALSE(isText(bytesOf(folder_ / "own.bin")));
+  EXPECT_EQ(run({"convert", "own", folder_ / "own.txt"}), 0) << output_;
+  EXPECT_TRUE(isText(bytesOf(folder_ / "own.txt"))) << "as the name of the file says";
   EXPECT_EQ(run({"mirror", "own", "9", "--to", "200", "--out", folder_ / "own.txt"}), 0) << output_;
   EXPECT_EQ(readMotionFile(folder_ / "own.txt").pages[9], readMotionFile(folder_ / "own.bin").pages[9]);
   EXPECT_EQ(run({"show", "own", "9"}), 0) << output_;

@@ -33,6 +33,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"[]\n",
                           "3: there is no section []; there are [model], [servo], [body], [imu], [link NAME] "
                           "and [effect NAME]"},
+                    Wrong{"[Robot]\n",
+                          "3: there is no section [Robot]; this is a robot's settings file (docs/robot-file.md), not a "
+                          "model"},
                     Wrong{"[coulomb]\n", "3: there is no section [coulomb]; write an effect as [effect coulomb]"},
                     Wrong{"[servo\n", "3: the section's closing bracket ] is missing"},
                     Wrong{"[servo] kt\n", "3: there is something behind the section's closing bracket ]"},
