@@ -56,8 +56,8 @@ void SteeringSession::received(web::Channel& channel, std::string_view message, 
 
 void SteeringSession::take(web::Channel& channel) {
   if (drive_.report().state != DriveState::kFree) return sendDriving(channel, false, messages::kPreviousSessionEnds);
+  sendEnd();
   driver_ = &channel;
-  waits_for_end_ = nullptr;
   is_driving_ = false;
   requests_ = {};
   sent_status_ = {};
@@ -75,8 +75,7 @@ void SteeringSession::stop(const web::Channel& channel) {
 }
 
 void SteeringSession::update() {
-  if (waits_for_end_ != nullptr && drive_.report().state == DriveState::kFree)
-    sendDriving(*std::exchange(waits_for_end_, nullptr), false, end_text_);
+  if (drive_.report().state == DriveState::kFree) sendEnd();
   if (driver_ == nullptr) return;
   const DriveInterface::Report report = drive_.report();
   if (report.state == DriveState::kFree || (is_driving_ && report.state != DriveState::kDriving))
@@ -113,13 +112,16 @@ void SteeringSession::release(const std::string& why) {
 
 void SteeringSession::awaitEnd(web::Channel& channel, const std::string& text) {
   if (drive_.report().state == DriveState::kFree) return sendDriving(channel, false, text);
-  waits_for_end_ = &channel;
-  end_text_ = text;
+  await_end_[&channel] = text;
   sendDriving(channel, false, "The robot completes its step …", Phase::kEnding);
 }
 
+void SteeringSession::sendEnd() {
+  for (const auto& [page, text] : std::exchange(await_end_, {})) sendDriving(*page, false, text);
+}
+
 void SteeringSession::closed(web::Channel& channel) noexcept {
-  if (waits_for_end_ == &channel) waits_for_end_ = nullptr;
+  await_end_.erase(&channel);
   if (driver_ != &channel) return;
   driver_ = nullptr;
   is_driving_ = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 
 #include "hal/byte_line.hpp"
@@ -39,13 +40,13 @@ class SteeringSession final : public web::ChannelHandler {
   void release(const std::string& why);
   /// Sends `text` once the robot holds. Until then the page shows that the session is ending.
   void awaitEnd(web::Channel& channel, const std::string& text);
+  void sendEnd();
 
   DriveInterface& drive_;
   Clock clock_;
-  web::Channel* driver_ = nullptr;         // page that drives or is taking over
-  bool is_driving_ = false;                // takeover is complete
-  web::Channel* waits_for_end_ = nullptr;  // page that is informed when the drive thread's session has ended
-  std::string end_text_;
+  web::Channel* driver_ = nullptr;                  // page that drives or is taking over
+  bool is_driving_ = false;                         // takeover is complete
+  std::map<web::Channel*, std::string> await_end_;  // pages, with the text that each gets when the robot holds
   Nanos last_heartbeat_{0};
   DriveRequests requests_{};  // since the last update()
   DriveStatus sent_status_{};

@@ -13,6 +13,7 @@ namespace darwinop {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::AllOf;
 using testing::HasSubstr;
 
 struct FakeDrive final : window::DriveInterface {
@@ -132,6 +133,20 @@ TEST_F(WindowSteeringSession, StopWorksWhileTheLastStepsAreCompleted) {
   EXPECT_EQ(drive.end, "stop");
   session.update();
   EXPECT_THAT(other.received, HasSubstr(R"("ending":false)"));
+  EXPECT_THAT(page.received, HasSubstr(R"("ending":false)"));
+}
+
+TEST_F(WindowSteeringSession, APageThatLostTheRobotGetsTheReasonAtTheEndWhateverAnotherPageDoes) {
+  take();
+  drive.steps_to_complete = true;
+  now += window::SteeringSession::kHeartbeatTimeout + 1ms;
+  session.update();
+  EXPECT_THAT(page.received, HasSubstr(R"("ending":true)"));
+  session.opened(other);
+  drive.now.state = window::DriveState::kFree;
+  session.received(other, R"({"take": true})", false);
+  EXPECT_THAT(page.received, AllOf(HasSubstr(R"("ending":false)"), HasSubstr(window::messages::kNoHeartbeat)));
+  EXPECT_TRUE(session.drives());
 }
 
 TEST_F(WindowSteeringSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
