@@ -35,7 +35,8 @@ supervisor_state() {
   fi
 }
 
-# roll_back SETTINGS...: switches to the previous version with the steps of an installation. Repeated: switches back.
+# roll_back SETTINGS...: switches to the previous version with the steps of an installation. Repeated: switches back,
+# unless the first time left a version under test.
 roll_back() {
   settings "$@"
   keep_target=1

@@ -24,7 +24,8 @@ switch_to() {
   sync
   self_test || back_out "the self-test of version $target failed: see above"
   still_pending || back_out "$msg_started_meanwhile"
-  echo "$before" | put "$home/previous" || back_out "cannot write to $home; check for a full disk"
+  # A confirmed version that replaces one under test keeps its own.
+  [ "$before" = "$target" ] || echo "$before" | put "$home/previous" || back_out "cannot write to $home; check for a full disk"
   rm -f "$home/pending"
   sync
   # <<< transaction
@@ -43,7 +44,7 @@ finish() {
   own_controllers
   echo "$kind" | put "$home/kept/autostart" || back_out "cannot write to $home; check for a full disk"
   autostart_set "$kind" || back_out "the autostart could not be set up"
-  discard_others "$target" "$before"
+  discard_others "$target" "$(version_previous)"
   sync
   end_demo
   start_supervisor

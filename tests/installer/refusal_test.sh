@@ -384,4 +384,21 @@ scenario_what_replaces_an_unconfirmed_version_and_fails_does_not_confirm_it() {
   expect_boots 0.1.0+a
 }
 
+scenario_what_replaces_an_unconfirmed_version_keeps_the_previous_one() {
+  local v0 v1 v2; v0=$(fake_bundle 0.0.1+o); v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v0"
+  run_install --bundle "$v1"
+  leave_v2_untested "$v2"
+  rm "$ROBOT/run/fail-self-test"
+  run_install --rollback
+  expect_status 0
+  expect_version 0.1.0+a
+  expect_confirmed
+  run_install --status
+  expect_said '^previous: *0\.0\.1\+o'
+  run_install --rollback
+  expect_status 0
+  expect_version 0.0.1+o
+}
+
 run_scenarios "$@"
