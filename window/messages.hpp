@@ -8,6 +8,11 @@ inline constexpr const char* kAnotherPageDrives = "another page drives";
 inline constexpr const char* kDrivingEnded = "Driving has ended. The robot holds.";
 inline constexpr const char* kTakeoverCancelled = "The takeover was cancelled. A limp robot stays limp.";
 inline constexpr const char* kAnotherPageStopped = "Another page has stopped the robot. It holds.";
+inline constexpr const char* kAnotherPageCancelled =
+    "Another page has cancelled the takeover. A limp robot stays limp.";
+inline constexpr const char* kTakesTheRobot = "Taking the robot …";
+inline constexpr const char* kCompletesItsStep = "The robot completes its step …";
+inline constexpr const char* kSessionEnds = "The session is ending …";
 inline constexpr const char* kPreviousSessionEnds = "the previous session is still coming to rest; try again";
 inline constexpr const char* kNoHeartbeat = "No heartbeat from this page for half a second. The robot holds.";
 inline constexpr const char* kNoRequests = "the window's program did not respond for 0.8 s. The robot holds.";

@@ -48,8 +48,9 @@ void SteeringSession::received(web::Channel& channel, std::string_view message, 
   if (driver_ != &channel) return;
   last_heartbeat_ = clock_();
   if (request->leave) {
+    const bool held = hasTorque();
     drive_.finish();
-    return release(is_driving_ ? messages::kDrivingEnded : messages::kTakeoverCancelled);
+    return release(held ? messages::kDrivingEnded : messages::kTakeoverCancelled);
   }
   requests_.merge(request->requests);
 }
@@ -61,17 +62,23 @@ void SteeringSession::take(web::Channel& channel) {
   is_driving_ = false;
   requests_ = {};
   sent_status_ = {};
-  sendDriving(channel, false, "Taking the robot …", Phase::kTaking);
+  sendDriving(channel, false, messages::kTakesTheRobot, Phase::kTaking);
   drive_.start();
 }
 
 /// From every page, also while the steps of an ended session are completed: each person who sees the robot may stop it.
 void SteeringSession::stop(const web::Channel& channel) {
   if (drive_.report().state == DriveState::kFree) return;
+  const bool held = hasTorque();
   drive_.stop();
-  if (driver_ == nullptr) return;
-  const char* const own = is_driving_ ? messages::kDrivingEnded : messages::kTakeoverCancelled;
-  release(driver_ == &channel ? own : messages::kAnotherPageStopped);
+  if (driver_ == &channel)
+    release(held ? messages::kDrivingEnded : messages::kTakeoverCancelled);
+  else if (driver_ != nullptr)
+    release(held ? messages::kAnotherPageStopped : messages::kAnotherPageCancelled);
+}
+
+bool SteeringSession::hasTorque() {
+  return is_driving_ || drive_.report().state == DriveState::kDriving;
 }
 
 void SteeringSession::update() {
@@ -111,9 +118,11 @@ void SteeringSession::release(const std::string& why) {
 }
 
 void SteeringSession::awaitEnd(web::Channel& channel, const std::string& text) {
-  if (drive_.report().state == DriveState::kFree) return sendDriving(channel, false, text);
+  const DriveState state = drive_.report().state;
+  if (state == DriveState::kFree) return sendDriving(channel, false, text);
   await_end_[&channel] = text;
-  sendDriving(channel, false, "The robot completes its step …", Phase::kEnding);
+  const char* const meanwhile = state == DriveState::kEnding ? messages::kCompletesItsStep : messages::kSessionEnds;
+  sendDriving(channel, false, meanwhile, Phase::kEnding);
 }
 
 void SteeringSession::sendEnd() {

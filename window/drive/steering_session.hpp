@@ -36,6 +36,8 @@ class SteeringSession final : public web::ChannelHandler {
  private:
   void take(web::Channel& channel);
   void stop(const web::Channel& channel);
+  /// The takeover is complete, also before update() reports it to the page.
+  [[nodiscard]] bool hasTorque();
   void sendStatus(const DriveStatus& status);
   void release(const std::string& why);
   /// Sends `text` once the robot holds. Until then the page shows that the session is ending.

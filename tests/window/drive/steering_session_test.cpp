@@ -175,9 +175,33 @@ TEST_F(WindowSteeringSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
 TEST_F(WindowSteeringSession, ACancelledTakeoverSaysThatALimpRobotStaysLimp) {
   for (const char* how : {R"({"stop": true})", R"({"leave": true})"}) {
     session.received(page, R"({"take": true})", false);
+    drive.now.state = window::DriveState::kStarting;
     send(how);
     EXPECT_THAT(page.received, HasSubstr(window::messages::kTakeoverCancelled));
   }
+  session.received(page, R"({"take": true})", false);
+  drive.now.state = window::DriveState::kStarting;
+  session.received(other, R"({"stop": true})", false);
+  EXPECT_THAT(page.received, HasSubstr(window::messages::kAnotherPageCancelled));
+}
+
+/// The drive thread is ahead of the session.
+TEST_F(WindowSteeringSession, OnceTheRobotHasTorqueItHoldsAtTheEnd) {
+  for (const char* how : {R"({"stop": true})", R"({"leave": true})"}) {
+    session.received(page, R"({"take": true})", false);
+    ASSERT_EQ(drive.now.state, window::DriveState::kDriving);
+    send(how);
+    EXPECT_THAT(page.received, HasSubstr(window::messages::kDrivingEnded));
+  }
+}
+
+TEST_F(WindowSteeringSession, OnlyARobotThatWasDrivenCompletesItsStep) {
+  drive.now.state = window::DriveState::kEnding;
+  session.opened(page);
+  EXPECT_THAT(page.received, HasSubstr(window::messages::kCompletesItsStep));
+  drive.now.state = window::DriveState::kHolding;
+  session.opened(other);
+  EXPECT_THAT(other.received, HasSubstr(window::messages::kSessionEnds));
 }
 
 TEST_F(WindowSteeringSession, RefusesATakeoverWhileTheRobotComesToRest) {
