@@ -122,6 +122,7 @@ bool Session::waitForTarget() {
 
 bool Session::carryOn(const Commands& commands, Nanos step) {
   const Sensors before = driver_.sensors();
+  const Nanos began = time();
   if (!executes(before)) return false;
   // The commands of an interrupted step come first: those of two steps in one cycle would be a jump.
   if (std::exchange(target_, 0) > before.cycle && !reaches(before.cycle + 1)) return false;
@@ -129,7 +130,7 @@ bool Session::carryOn(const Commands& commands, Nanos step) {
   driver_.publish(commands);
   if (!reaches(line_.advance(step))) return false;
   sensors_ = driver_.sensors();
-  reached_ = Nanos{sensors_.time_ns} - origin_;
+  reached_ = std::max(began, Nanos{sensors_.time_ns} - origin_);
   returned_ = driver_.link().now();
   return executes(sensors_);
 }

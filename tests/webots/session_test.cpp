@@ -121,6 +121,16 @@ TEST_F(SessionTest, TimeNeverRunsBackwards) {
   }
 }
 
+TEST_F(SessionTest, TimeDoesNotRunBackwardsInTheLastStepsEither) {
+  robot();
+  EXPECT_EQ(robot().step(16), 0);
+  fake.pass(milliseconds{40});
+  const double before = robot().getTime();
+  fake.bus_time = milliseconds{15};  // lost replies
+  EXPECT_TRUE(currentRobot()->carryOn(8));
+  EXPECT_GE(robot().getTime(), before);
+}
+
 TEST_F(SessionTest, TheTwoHalvesOfAStepLetTheControllerComputeMeanwhile) {
   robot();
   const Nanos start = fake.now;
