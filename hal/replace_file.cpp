@@ -29,7 +29,9 @@ int writeWhole(int file, std::string_view text) {
 int takeModeAndOwner(int file, const std::string& path) {
   struct stat old {};
   const bool exists = stat(path.c_str(), &old) == 0;
-  if (fchmod(file, exists ? old.st_mode & 07777 : 0644) != 0) return errno;
+  const mode_t hidden = umask(0);  // can only be read by setting it
+  umask(hidden);
+  if (fchmod(file, exists ? old.st_mode & 07777 : 0666 & ~hidden) != 0) return errno;
   if (!exists || (old.st_uid == geteuid() && old.st_gid == getegid())) return 0;
   return fchown(file, old.st_uid, old.st_gid) == 0 ? 0 : errno;
 }
@@ -43,7 +45,7 @@ std::string writeBeside(const std::string& path, std::string_view text) {
   if (why == 0) why = writeWhole(file.number, text);
   if (why == 0) return fresh;
   if (file.number >= 0) unlink(fresh.c_str());
-  throw std::runtime_error("cannot write " + path + ": " + std::strerror(why));
+  throw std::runtime_error(kCannotWrite + path + ": " + std::strerror(why));
 }
 
 void flushFolder(const std::string& path) {

@@ -6,8 +6,10 @@
 
 namespace darwinop {
 
-/// Writes a new file beside `path`, complete on the disk, with the mode and owner of `path` if that exists. Returns its
-/// name, for rename(). Throws std::runtime_error: "cannot write PATH: reason".
+inline constexpr const char* kCannotWrite = "cannot write ";  // then the path
+
+/// Writes a new file beside `path`, complete on the disk, with the mode and owner of `path` if that exists, else as the
+/// umask says. Returns its name, for rename(). Throws std::runtime_error: "cannot write PATH: reason".
 std::string writeBeside(const std::string& path, std::string_view text);
 
 /// Makes a rename() in the folder of `path` survive a power cut.

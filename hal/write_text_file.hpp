@@ -7,8 +7,8 @@
 namespace darwinop {
 
 /// Replaces what the file contained. A file of this user is replaced at once, so that a failure leaves it as it was;
-/// something else, such as /dev/stdout, is written into. Throws std::runtime_error: "cannot write PATH:
-/// reason".
+/// what cannot be replaced, and everything below /dev and /proc, is written into. Throws std::runtime_error: "cannot
+/// write PATH: reason".
 void writeTextFile(const std::string& path, std::string_view text);
 
 }  // namespace darwinop

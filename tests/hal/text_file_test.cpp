@@ -3,18 +3,23 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "hal/write_text_file.hpp"
+#include "support/as_nobody.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::settings {
@@ -116,6 +121,76 @@ TEST(WriteTextFile, WhereThereIsNoRoomTheOldFileStays) {
   struct stat now {};
   ASSERT_EQ(stat((folder / "a.txt").c_str(), &now), 0);
   EXPECT_EQ(now.st_mode & 0777, 0640U);
+}
+
+struct WriteAsNobody : testing::Test {
+  void SetUp() override {
+    if (geteuid() != 0) return;
+    ASSERT_EQ(chown((folder / ".").c_str(), AsNobody::kNobody, AsNobody::kNobody), 0);
+  }
+  static mode_t modeOf(const std::string& path) {
+    struct stat about {};
+    return stat(path.c_str(), &about) == 0 ? about.st_mode & 0777 : 0;
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(WriteAsNobody, AProtectedFileIsRefused) {
+  const AsNobody nobody;
+  writeTextFile(folder / "a.txt", "old");
+  ASSERT_EQ(chmod((folder / "a.txt").c_str(), 0444), 0);
+  EXPECT_THAT([&] { writeTextFile(folder / "a.txt", "new"); },
+              testing::ThrowsMessage<std::runtime_error>(HasSubstr(std::strerror(EACCES))));
+  EXPECT_EQ(readTextFile(folder / "a.txt"), "old");
+}
+
+TEST_F(WriteAsNobody, ANewFileHasTheRightsThatTheUmaskLeaves) {
+  const AsNobody nobody;
+  for (const mode_t mask : {077U, 022U, 002U}) {
+    const mode_t before = umask(mask);
+    writeTextFile(folder / "new.txt", "text");
+    EXPECT_EQ(umask(before), mask);
+    EXPECT_EQ(modeOf(folder / "new.txt"), 0666 & ~mask);
+    unlink((folder / "new.txt").c_str());
+  }
+}
+
+TEST(WriteTextFile, WhatIsAlreadyOpenIsWrittenInto) {
+  const TemporaryFolder folder;
+  std::FILE* log = std::fopen((folder / "log").c_str(), "ae");
+  ASSERT_NE(log, nullptr);
+  for (const std::string place : {"/dev/fd/", "/proc/self/fd/"}) {
+    writeTextFile(place + std::to_string(fileno(log)), "text\n");
+    std::fputs("later\n", log);
+    std::fflush(log);
+    EXPECT_EQ(readTextFile(folder / "log"), "text\nlater\n");
+  }
+  std::fclose(log);
+}
+
+/// As in a container that was given a single file.
+TEST(WriteTextFile, AFileThatIsAMountPointIsWrittenInto) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.txt";
+  writeTextFile(path, "old");
+  const pid_t child = fork();
+  if (child == 0) {
+    if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+        mount(path.c_str(), path.c_str(), nullptr, MS_BIND, nullptr) != 0)
+      _exit(77);
+    try {
+      writeTextFile(path, "new");
+    } catch (const std::runtime_error&) {
+      _exit(1);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "this user may not mount";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(readTextFile(path), "new");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator{folder / "."}, {}), 1) << "nothing is left beside it";
 }
 
 }  // namespace
