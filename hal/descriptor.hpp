@@ -6,10 +6,14 @@
 namespace darwinop {
 
 struct Descriptor {
-  int number;  // negative: none
+  explicit Descriptor(int opened) : number{opened} {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
   ~Descriptor() {
     if (number >= 0) ::close(number);
   }
+
+  int number;  // negative: none
 };
 
 }  // namespace darwinop

@@ -17,7 +17,9 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <type_traits>
 
+#include "hal/descriptor.hpp"
 #include "hal/write_text_file.hpp"
 #include "support/as_nobody.hpp"
 #include "support/temporary_folder.hpp"
@@ -78,6 +80,8 @@ TEST_F(TextFile, APipeWithoutAWriterIsRefusedAtOnce) {
 TEST_F(TextFile, AFolderIsRefused) {
   EXPECT_THAT(refusal(folder_ / "."), HasSubstr("folder"));
 }
+
+static_assert(!std::is_copy_constructible_v<Descriptor>, "a copy would close it a second time");
 
 TEST_F(TextFile, OfNothingIsEmpty) {
   EXPECT_EQ(readTextFile("/dev/null"), "");
