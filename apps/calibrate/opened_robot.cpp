@@ -2,10 +2,7 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
@@ -58,10 +55,11 @@ OpenedRobot openTwin(const std::string& model, const std::string& file) {
 }  // namespace
 
 void requireReplaceable(const std::string& file) {
-  const std::string folder = std::filesystem::absolute(linkedFile(file)).parent_path();
-  if (access(folder.c_str(), W_OK) != 0)
-    throw std::runtime_error(messages::kCannotWrite + file + ": folder " + folder + ": " + std::strerror(errno) +
-                             "; use sudo, another --file, or --dry-run");
+  try {
+    unlink(writeBeside(linkedFile(file), "").c_str());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string{error.what()} + "; use sudo, another --file, or --dry-run");
+  }
 }
 
 OpenedRobot openRobot(const std::string& setting, const std::string& file, bool unattended) {

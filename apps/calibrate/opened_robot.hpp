@@ -22,7 +22,7 @@ struct OpenedRobot {
 /// `unattended`: no person holds the robot, so it has to be simulated. Throws std::runtime_error with what to do.
 OpenedRobot openRobot(const std::string& setting, const std::string& file, bool unattended);
 
-/// Before anything is measured. Throws std::runtime_error.
+/// Before anything is measured. Throws std::runtime_error if `file` cannot be replaced.
 void requireReplaceable(const std::string& file);
 
 /// The file that a calibration of this robot is written to; empty: none, because a twin has no robot.ini.

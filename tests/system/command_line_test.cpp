@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/calibrate/messages.hpp"
+#include "hal/replace_file.hpp"
 #include "hil-mocks/link_owner.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/names.hpp"
@@ -49,8 +50,7 @@ TEST_F(CommandLine, CalibrateByHandNeedsHands) {
 TEST_F(CommandLine, CalibrateSaysBeforeItMeasuresThatItCannotWrite) {
   const Outcome refused = call("calibrate imu --robot twin --yes --file none/robot.ini");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.said, testing::StartsWith(std::string{"darwinop calibrate: "} +
-                                                calibrate::messages::kCannotWrite + "none/robot.ini"));
+  EXPECT_THAT(refused.said, testing::StartsWith(std::string{"darwinop calibrate: "} + kCannotWrite + "none/robot.ini"));
 }
 
 TEST_F(CommandLine, DoctorRefusesARobotWithoutAPort) {

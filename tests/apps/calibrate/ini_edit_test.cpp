@@ -3,12 +3,16 @@
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
+#include "apps/calibrate/opened_robot.hpp"
+#include "hal/replace_file.hpp"
 #include "hal/text_file.hpp"
+#include "support/as_nobody.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::calibrate {
@@ -79,6 +83,19 @@ TEST(ReplaceKeepingOld, LeavesNothingBehindWhereItCannotWrite) {
   std::size_t entries = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator{folder / ""}) ++entries;
   EXPECT_EQ(entries, 1U);
+}
+
+/// After `sudo cp`: the folder is this user's, but the new file cannot be given the old one's owner.
+TEST(IniEdit, AFileOfAnotherOwnerIsRefusedBeforeAnythingIsMeasured) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can make a file of another owner";
+  const TemporaryFolder folder;
+  ASSERT_EQ(chown((folder / ".").c_str(), AsNobody::kNobody, AsNobody::kNobody), 0);
+  write(folder / "robot.ini", kText);
+  const AsNobody nobody;
+  EXPECT_THAT([&] { requireReplaceable(folder / "robot.ini"); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(kCannotWrite + (folder / "robot.ini"))));
+  requireReplaceable(folder / "new.ini");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator{folder / "."}, {}), 1) << "nothing is left beside it";
 }
 
 }  // namespace
