@@ -1,6 +1,7 @@
 // Pictures drawn by gnuplot, checked by their pixels.
 #include <gmock/gmock.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "experiments/logs/plot/gnuplot.hpp"
 #include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/plot.hpp"
+#include "support/as_nobody.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
@@ -137,6 +139,20 @@ TEST(Picture, DrawsAFigureWithoutAnyValue) {
   Figure figure = waves(1);
   for (double& y : figure.panels[0].curves[0].y) y = NAN;
   EXPECT_EQ(drawPicture(figure, folder / "a.png"), "");
+}
+
+TEST(Picture, ReplacesAFileInAFolderThatIsNotWritable) {
+  DARWINOP_NEEDS_GNUPLOT();
+  const TemporaryFolder folder;
+  if (geteuid() == 0) {
+    ASSERT_EQ(chown((folder / ".").c_str(), AsNobody::kNobody, AsNobody::kNobody), 0);
+  }
+  const AsNobody nobody;
+  std::ofstream{folder / "a.png"} << "old";
+  ASSERT_EQ(chmod((folder / ".").c_str(), 0555), 0);
+  EXPECT_EQ(drawPicture(waves(1), folder / "a.png"), "");
+  EXPECT_EQ(sizeOf(textOf(folder / "a.png")).width, kPictureWidth);
+  EXPECT_EQ(chmod((folder / ".").c_str(), 0755), 0);
 }
 
 /// Two logs and the output of plotCommand.
