@@ -51,7 +51,7 @@ void BorrowedMotors::giveBack() {
   if (!taken_ || !exist()) return;
   taken_ = false;
   for (std::size_t i = 0; i < motors_.size(); ++i) impl_->lendFullSpeed(static_cast<Joint>(i), false);
-  if (!areOurs()) return;  // the gains belong to another manager
+  if (!areOurs()) return;  // the gains are another manager's, and setGoals() takes full speed back
   for (std::size_t i = 0; i < motors_.size(); ++i) impl_->lendGain(static_cast<Joint>(i), {});
   impl_->joints_taken_by = nullptr;
 }
@@ -69,7 +69,9 @@ void BorrowedMotors::setGoals(const darwinop::body_player::WalkPlayer& player) {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     const auto joint = static_cast<Joint>(i);
     motors_[i]->setPosition(player.goal(joint));
-    if (areOurs()) impl_->lendGain(joint, player.pGain(joint));
+    if (!areOurs()) continue;
+    impl_->lendGain(joint, player.pGain(joint));
+    impl_->lendFullSpeed(joint, true);
   }
 }
 

@@ -39,7 +39,7 @@ class BorrowedMotors {
   /// Cycle of the last successful reading of the board (gyroscope).
   [[nodiscard]] std::uint64_t cycleOfReading() const;
   [[nodiscard]] darwinop::body_player::Pose present() const;
-  /// Goals and P gains.
+  /// Goals, P gains and full speed.
   void setGoals(const darwinop::body_player::WalkPlayer& player);
   /// The robot's time at the newest image, and the period of its loop, ms.
   [[nodiscard]] double robotMs() const;

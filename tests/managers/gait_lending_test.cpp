@@ -91,6 +91,24 @@ TEST_F(GaitLending, ASpeedThatIsSetDuringAWalkCountsAfterIt) {
   EXPECT_NEAR(fake.last().joint[index(Joint::kArmUpperL)].speed_limit.value, 0.032, 1e-9) << "from rest";
 }
 
+TEST_F(GaitLending, AManagerThatStopsLeavesItsSuccessorFullSpeed) {
+  robot().getMotor("LegLowerR")->setVelocity(2);
+  standing().start();
+  steps(5);
+  DARwInOPGaitManager next{&robot(), ini()};
+  next.setBalanceEnable(false);
+  next.start();
+  const auto knee_speed = [&] {
+    next.step(16);
+    robot().step(16);
+    return fake.last().joint[index(Joint::kLegLowerR)].speed_limit.value;
+  };
+  currentRobot()->joints_taken_by = nullptr;  // a page that interrupted the first walk has ended
+  ASSERT_GT(knee_speed(), 12);
+  manager().stop();
+  EXPECT_GT(knee_speed(), 12) << "a speed limit would make the robot fall";
+}
+
 TEST_F(GaitLending, AJointThatWasGivenNoSpeedGetsTheRobotsUsualOneBack) {
   fake.image.safety.default_speed = 3;
   standing().start();
