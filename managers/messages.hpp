@@ -9,7 +9,8 @@ namespace managers::messages {
 inline constexpr const char* kRobotIsNull = "the robot is null";
 inline constexpr const char* kWalksWithoutBalance =
     "balance is off: the gyroscope was not calibrated, because the robot was moved, the gyroscope does not reply, or "
-    "the walk began with setBalanceEnable(false). Keep the robot still for a second before start()";
+    "the walk began with setBalanceEnable(false). Keep the robot still for a second before start(), "
+    "and call setBalanceEnable(true) before it";
 inline constexpr const char* kNoGyroscope = "balance is off: this robot has no gyroscope";
 
 // Of setParameters().
