@@ -52,9 +52,9 @@ class Camera : public Device {
   /// ms as set last; 0: disabled.
   int getSamplingPeriod() const { return period_; }
   /// BGRA, 4 bytes per pixel, getWidth() x getHeight(), rows from top to bottom; unchanged until the next step (2013:
-  /// overwritten at any time), which writes the next picture to the same address. NULL while disabled. Black until the
-  /// first picture, and when none came for 2 s, so that a controller does not follow an old picture. A picture of
-  /// another size is scaled, with one warning.
+  /// overwritten at any time), which writes the next picture to the same address until disable(). NULL while disabled.
+  /// Black until the first picture, and when none came for 2 s, so that a controller does not follow an old picture. A
+  /// picture of another size is scaled, with one warning.
   const unsigned char* getImage() const;
   /// Pixels, as configured (2013: always 320).
   int getWidth() const;
