@@ -40,8 +40,10 @@ class DefaultController {
 
   /// No process of it exists, and the robot is not held in its place.
   [[nodiscard]] bool over() const { return state_ == State::kOver; }
-  /// It was stopped, has ended or has failed: only restart() starts it again.
-  [[nodiscard]] bool staysEnded() const { return over() || state_ == State::kHeld; }
+  /// It was stopped, even if it is still ending, has ended or has failed: only restart() starts it again.
+  [[nodiscard]] bool staysEnded() const {
+    return over() || state_ == State::kHeld || (state_ == State::kEnding && !again_);
+  }
   void report(Status& status, Nanos now) const;
 
  private:

@@ -245,5 +245,16 @@ TEST_F(Begin, OneThatWasStoppedStaysStopped) {
   EXPECT_TRUE(runs());
 }
 
+TEST_F(Begin, OneThatIsBeingStoppedStaysEndedUnlessItIsRestarted) {
+  lookFor(1100ms, sitting());
+  EXPECT_FALSE(controller.staysEnded());
+  controller.restart(now);
+  ASSERT_TRUE(runs()) << "it gets time to end";
+  EXPECT_FALSE(controller.staysEnded());
+  controller.stop(now);
+  ASSERT_TRUE(runs());
+  EXPECT_TRUE(controller.staysEnded());
+}
+
 }  // namespace
 }  // namespace darwinop::supervisor
