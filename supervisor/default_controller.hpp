@@ -33,8 +33,10 @@ class DefaultController {
   void stop(Nanos now);
   /// Ends it if it runs, and starts again from the start pose.
   void restart(Nanos now);
-  /// Call before the first update: only restart() starts it.
-  void stayEnded(const std::string& why) { become(State::kOver, why); }
+  /// Call before the first update: only restart() starts it, if there is one.
+  void stayEnded(const std::string& why) {
+    if (!folder().empty()) become(State::kOver, why);
+  }
   /// The loop is gone: the controller cannot drive, and its exit status is not evaluated.
   void runtimeLost(Nanos now);
 

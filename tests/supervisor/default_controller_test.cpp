@@ -222,6 +222,7 @@ TEST_F(Begin, TheSecondRestartsAfterAnotherController) {
 
 TEST_F(Begin, WithoutADefaultControllerNothingStarts) {
   fs::remove(folder / "default");
+  controller.stayEnded(messages::kStaysEnded);  // what the last supervisor recorded, as after every `install --run`
   lookFor(3s, sitting());
   EXPECT_FALSE(runs());
   EXPECT_EQ(status().controller, "");
