@@ -50,12 +50,16 @@ Supervisor::Supervisor(const Setup& setup)
       controller_{checkedHome(setup.home), files_},
       logs_{{setup.home + "/log/supervisor.log", setup.home + "/log/controller.log"}},
       start_wait_{kFirstWait} {
-  // /dev/shm forgets at boot. Until then nothing but a person lets the robot get up again.
-  if (const auto last = readStatus(own_.status)) {
-    if (!last->at_rest) controller_.stayEnded(messages::kAfterKill);
-    if (last->at_rest && last->stays_ended) controller_.stayEnded(messages::kStaysEnded);
+  // The record in /dev/shm lasts until the next boot. Without a clean stop, or if the controller was not to run, only a
+  // person's command starts it.
+  const auto last = readStatus(own_.status);
+  if (last && !last->at_rest) {
+    controller_.stayEnded(messages::kAfterKill);
+    orders_ = last->orders;  // the first record of this supervisor replaces the last one, and counts on
+    return;
   }
-  unlink(own_.status.c_str());  // what an earlier supervisor recorded holds no longer, even if no record can be written
+  if (last && last->stays_ended) controller_.stayEnded(messages::kStaysEnded);
+  unlink(own_.status.c_str());  // rest holds no longer, even if no record can be written
 }
 
 int Supervisor::run() {

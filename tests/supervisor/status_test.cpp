@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/environment.hpp"
+#include "supervisor/supervisor.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::supervisor {
@@ -63,6 +65,20 @@ TEST(Status, AForeignThingInItsPlaceIsNotReadAndIsReplaced) {
 TEST(Status, AMissingFolderReturnsFalse) {
   const TemporaryFolder folder;
   EXPECT_FALSE(writeStatus(Status{}, folder / "nowhere/status"));
+}
+
+/// A supervisor that dies before it has recorded anything must not hide how the one before it ended.
+TEST(Status, ARecordThatDoesNotClaimRestStaysUntilTheNextSupervisorReplacesIt) {
+  const TemporaryFolder folder;
+  const runtime::Environment name{"DARWINOP_RUNTIME_NAME", folder / "runtime"};
+  const std::string path = SupervisorFiles{runtime::RuntimeFiles{}}.status;
+  Status last;
+  for (const bool at_rest : {false, true}) {
+    last.at_rest = at_rest;
+    ASSERT_TRUE(writeStatus(last, path));
+    { const Supervisor killed{{.home = folder / "", .runtime_program = ""}}; }
+    EXPECT_EQ(readStatus(path).has_value(), !at_rest);
+  }
 }
 
 }  // namespace
