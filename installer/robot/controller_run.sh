@@ -27,7 +27,7 @@ run_controller() {
   say "$name runs. Ctrl-C stops it"
   "$home/current/bin/darwinop-run" --robot runtime "$home/controllers/$name" -- "$@" 3<&- &
   runner=$!
-  # --stop would not find it.
+  # Without this record --stop cannot find it: do not run.
   note_running "$(process_line "$runner")" "$name" || { stop_process "$runner" && die "cannot write to $home; $name is stopped"; }
   beats=$(mktemp /dev/shm/darwinop-link-XXXXXX 2>/dev/null || mktemp) || beats=/dev/null
   count_beats "$runner" <&3 &

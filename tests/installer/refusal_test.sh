@@ -167,7 +167,7 @@ scenario_a_start_during_the_self_test_takes_the_new_version_back_and_is_reported
   expect_version 0.2.0+b
 }
 
-# A supervisor that systemd starts again and again: the next start would come within seconds.
+# A supervisor that systemd starts repeatedly: the next start would come within seconds.
 scenario_a_unit_is_stopped_before_a_new_version_is_tried() {
   local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
   mkdir -p "$ROBOT/run/systemd/system"
