@@ -175,6 +175,14 @@ void ForwardSelection::run(MechanicsSelection& out) {
 
 }  // namespace
 
+void setOwn(BodyHypothesis robot, std::vector<FoundMechanics>& found) {
+  for (FoundMechanics& one : found) {
+    if (one.placed.effect->numbers.front().is_addition)
+      for (const Joint joint : one.placed.joints) one.own.push_back(ownNumber(robot, *one.placed.effect, joint));
+    one.placed.applyTo(robot);
+  }
+}
+
 MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table) {
   MechanicsSelection out;
   out.found = identifyControllers(robot.given(), robot.baseline(), table.open_from);
@@ -185,10 +193,7 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
   const std::size_t count = out.found.size();
   dropUnexplained(robot, table.open_from, out);
   if (out.found.size() < count) search.renewRows(out, {});
-  for (FoundMechanics& one : out.found)
-    if (one.placed.effect->numbers.front().is_addition)
-      for (const Joint joint : one.placed.joints)
-        one.own.push_back(ownNumber(robot.baseline(), *one.placed.effect, joint));
+  setOwn(robot.baseline(), out.found);
   out.held_out_before = heldOutErrorAsDeclared(robot);
   out.held_out_after = heldOutError(robot, with(robot, effectsOf(out.found)));
   out.held_out_floor = kEncoderNoise;

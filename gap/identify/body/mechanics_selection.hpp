@@ -12,7 +12,7 @@ struct FoundMechanics {
   std::vector<PlacedMechanics> rivals;  // that the data do not exclude, best first
   double gain = 0;                      // of the cost, by this effect
   double excess_before = 0;             // beyond noise in its limbs when it was added
-  std::vector<double> own = {};         // of an addition: the number of the model in each of its joints
+  std::vector<double> own = {};         // of an addition: each of its joints' number without it
   bool is_in_controller = false;        // found in the loads alone, whatever else is wrong in its limbs
 };
 
@@ -26,6 +26,9 @@ struct MechanicsSelection {
 
 /// Names that an effect at its places competes with count: twice the logarithm of their number is the price of one.
 double namePrice(const PlacedMechanics& placed);
+
+/// Sets `own`: what the model and the effects before an addition give each of its joints.
+void setOwn(BodyHypothesis robot, std::vector<FoundMechanics>& found);
 
 /// `robot`: its noise is estimated again about what is found.
 MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table);

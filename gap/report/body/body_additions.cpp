@@ -36,21 +36,12 @@ const json& resultOf(const json& all, const std::string& name) {
   throw std::runtime_error("has no result of case " + name);
 }
 
-/// What the model has in this joint of a number that effects add to; 0: it has none.
-double ownOf(const twin::Model& model, const std::string& id, Joint joint) {
-  double common = 0;
-  for (const twin::EffectSetting& effect : model.effects) {
-    if (effect.info->id != id) continue;
-    if (effect.joint == joint) return effect.values.front();
-    if (!effect.joint) common = effect.values.front();
-  }
-  return common;
-}
-
-/// Joints whose own numbers are equal, by that number.
-std::map<double, std::vector<Joint>> byOwn(const twin::Model& model, const std::string& id, const json& at) {
+/// Joints whose own numbers are equal, by that number, which an addition is on top of.
+std::map<double, std::vector<Joint>> byOwn(const BodyHypothesis& robot, const std::string& id, const json& at) {
+  const auto effect = std::ranges::find(mechanicalEffects(), id, &MechanicalEffect::id);
+  if (effect == mechanicalEffects().end()) throw std::runtime_error("has " + id + ", which adds to nothing");
   std::map<double, std::vector<Joint>> out;
-  for (const Joint joint : jointsAt(at)) out[ownOf(model, id, joint)].push_back(joint);
+  for (const Joint joint : jointsAt(at)) out[ownNumber(robot, *effect, joint)].push_back(joint);
   return out;
 }
 
@@ -73,14 +64,14 @@ AddedEffect servoEffect(const json& from, const std::string& because, std::vecto
   return effect;
 }
 
-/// One section each for joints that have different numbers of their own.
-std::vector<AddedEffect> servoEffects(const json& from, const std::string& because, const twin::Model& model) {
+/// One section each for joints that have different numbers of their own. `robot`: with the effects before this one.
+std::vector<AddedEffect> servoEffects(const json& from, const std::string& because, const BodyHypothesis& robot) {
   const json& at = from.at("at");
   const std::vector<Joint> all = at == "all" ? std::vector<Joint>{} : jointsAt(at);
   const auto items = from.at("params").items();
   if (std::none_of(items.begin(), items.end(), [](const auto& item) { return item.key().ends_with(kAddedEnding); }))
     return {servoEffect(from, because, all, {})};
-  const std::map<double, std::vector<Joint>> groups = byOwn(model, from.at("id"), at);
+  const std::map<double, std::vector<Joint>> groups = byOwn(robot, from.at("id"), at);
   std::vector<AddedEffect> out;
   for (const auto& [own, joints] : groups)
     out.push_back(servoEffect(from, because, groups.size() == 1 ? all : joints, own));
@@ -121,9 +112,9 @@ BodyAdditions bodyAdditionsIn(std::string_view results, const std::string& file,
     AnsweredRobot robot = unchangedRobot(model);
     for (const json& effect : result.at("effects")) {
       if (twin::findEffect(effect.at("id").get<std::string>()) != nullptr)
-        std::ranges::move(servoEffects(effect, because, model), std::back_inserter(out.additions.effects));
-      else
-        addEffect(robot, effect, model);
+        std::ranges::move(servoEffects(effect, because, robot.model.robot.robot),
+                          std::back_inserter(out.additions.effects));
+      addEffect(robot, effect, model);
     }
     ModelWith changed = modelWith(model, robot.model.robot, robot.model.imu);
     changed.model.body.battery_resistance_ohm += robot.battery_ohm;

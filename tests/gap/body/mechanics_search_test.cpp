@@ -164,6 +164,17 @@ TEST(MechanicsSearch, AFrictionIsFoundAsAnAdditionToEachJointsOwn) {
   EXPECT_NEAR(all.found.front().placed.values[0], 0.05, 0.005);
 }
 
+TEST(MechanicsSearch, ASecondAdditionToAJointIsOnTopOfTheFirst) {
+  const MechanicalEffect& coulomb = effectCalled("coulomb");
+  std::vector<FoundMechanics> found{
+      {.placed = {&coulomb, {Joint::kArmUpperR, Joint::kArmUpperL}, {0.1}}, .sigmas = {}, .rivals = {}},
+      {.placed = {&coulomb, {Joint::kArmUpperR}, {0.05}}, .sigmas = {}, .rivals = {}}};
+  const double own = ownNumber(shippedRobot(), coulomb, Joint::kArmUpperR);
+  setOwn(shippedRobot(), found);
+  EXPECT_THAT(found[0].own, ElementsAre(own, own));
+  EXPECT_THAT(found[1].own, ElementsAre(own + 0.1));
+}
+
 TEST(MechanicsSearch, AFrictionOfAnAnkleIsFoundBeyondTheLargestOfASingleServo) {
   const MechanicsSelection answer = selectionFor(movingRobot(shippedWith("coulomb", {Joint::kAnkleR}, {0.1})));
   ASSERT_THAT(answer.found, SizeIs(1));

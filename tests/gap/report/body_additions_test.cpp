@@ -61,6 +61,18 @@ TEST(BodyAdditions, AnAddedFrictionIsOnTopOfEachJointsOwn) {
   EXPECT_NEAR(frictionOf(model, Joint::kNeck), 0.07, 1e-9);
 }
 
+TEST(BodyAdditions, TwoAdditionsToOneJointAreBothInItsNumber) {
+  const std::string pair = R"({"id": "coulomb", "at": ["ArmUpperR", "ArmUpperL"],
+                              "params": {"friction": 0.12, "friction_added": 0.1}})";
+  const std::string more = R"({"id": "coulomb", "at": "ArmUpperR",
+                              "params": {"friction": 0.17, "friction_added": 0.05}})";
+  const std::string all = R"({"id": "coulomb", "at": "all", "params": {"friction_added": 0.01}})";
+  const twin::Model model = modelWith(pair + "," + more + "," + all);
+  EXPECT_NEAR(frictionOf(model, Joint::kArmUpperR), 0.18, 1e-9);
+  EXPECT_NEAR(frictionOf(model, Joint::kArmUpperL), 0.13, 1e-9);
+  EXPECT_NEAR(frictionOf(model, Joint::kNeck), 0.03, 1e-9);
+}
+
 TEST(BodyAdditions, ASensorsDeviationIsOnTopOfTheModels) {
   const twin::Model model = modelWith(
       R"({"id": "accel_bias", "at": "accelerometer", "params": {"bias": [0.2, 0, -0.1]}},
