@@ -31,18 +31,6 @@ Squares squaresIn(const ClampedRobot& robot, std::size_t of_limb, const BodyHypo
   return out;
 }
 
-double errorOf(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& hypothesis,
-               bool has_fitted_numbers) {
-  std::vector<Squares> of(limbs.size());
-  forEach(limbs.size(), [&](std::size_t i) {
-    const BodyHypothesis fitted = has_fitted_numbers ? robot.residuals(limbs[i]).withNumbers(hypothesis) : hypothesis;
-    of[i] = squaresIn(robot, limbs[i], fitted);
-  });
-  Squares all;
-  for (const Squares& one : of) all.sum += one.sum, all.count += one.count;
-  return std::sqrt(all.sum / all.count);
-}
-
 std::vector<std::size_t> allLimbs(const ClampedRobot& robot) {
   std::vector<std::size_t> out(robot.limbs().size());
   std::iota(out.begin(), out.end(), std::size_t{0});
@@ -52,16 +40,18 @@ std::vector<std::size_t> allLimbs(const ClampedRobot& robot) {
 }  // namespace
 
 double heldOutError(const ClampedRobot& robot, const BodyHypothesis& hypothesis) {
-  return errorOf(robot, allLimbs(robot), hypothesis, true);
+  return heldOutErrorIn(robot, allLimbs(robot), hypothesis);
 }
 
 double heldOutErrorIn(const ClampedRobot& robot, const std::vector<std::size_t>& limbs,
                       const BodyHypothesis& hypothesis) {
-  return errorOf(robot, limbs, hypothesis, true);
-}
-
-double heldOutErrorAsDeclared(const ClampedRobot& robot) {
-  return errorOf(robot, allLimbs(robot), robot.baseline(), false);
+  std::vector<Squares> of(limbs.size());
+  forEach(limbs.size(), [&](std::size_t i) {
+    of[i] = squaresIn(robot, limbs[i], robot.residuals(limbs[i]).withNumbers(hypothesis));
+  });
+  Squares all;
+  for (const Squares& one : of) all.sum += one.sum, all.count += one.count;
+  return std::sqrt(all.sum / all.count);
 }
 
 }  // namespace darwinop::gap

@@ -15,7 +15,5 @@ double heldOutError(const ClampedRobot& robot, const BodyHypothesis& hypothesis)
 /// The same of the joints of these limbs.
 double heldOutErrorIn(const ClampedRobot& robot, const std::vector<std::size_t>& limbs,
                       const BodyHypothesis& hypothesis);
-/// Of the model as the case declares it.
-double heldOutErrorAsDeclared(const ClampedRobot& robot);
 
 }  // namespace darwinop::gap

@@ -194,9 +194,6 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
   dropUnexplained(robot, table.open_from, out);
   if (out.found.size() < count) search.renewRows(out, {});
   setOwn(robot.baseline(), out.found);
-  out.held_out_before = heldOutErrorAsDeclared(robot);
-  out.held_out_after = heldOutError(robot, with(robot, effectsOf(out.found)));
-  out.held_out_floor = kEncoderNoise;
   return out;
 }
 

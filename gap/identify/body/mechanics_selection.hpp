@@ -20,8 +20,6 @@ struct MechanicsSelection {
   std::vector<FoundMechanics> found;   // in the order in which they were found
   std::vector<BodyRow> rows;           // of the table, with what was found; those that remain are open
   std::vector<PlacedMechanics> tried;  // earned its place, but left too much unexplained for a name
-  // Rms of the positions of all joints in the held-out logs with a clamped trunk, rad; NaN: there are none.
-  double held_out_before = 0, held_out_after = 0, held_out_floor = 0;
 };
 
 /// Names that an effect at its places competes with count: twice the logarithm of their number is the price of one.

@@ -95,10 +95,6 @@ std::string asText(const MechanicsSelection& selection) {
   for (const PlacedMechanics& one : selection.tried)
     text +=
         "  nearest, but it leaves too much: " + std::string{one.effect->id} + " at " + placesText(one.joints) + "\n";
-  if (!selection.found.empty() && selection.held_out_before >= 0)
-    text += text::formatted("  held-out logs: joints %.2f -> %.2f mrad, noise of a reading %.2f\n",
-                            1e3 * selection.held_out_before, 1e3 * selection.held_out_after,
-                            1e3 * selection.held_out_floor);
   return text;
 }
 

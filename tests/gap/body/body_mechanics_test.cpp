@@ -98,7 +98,7 @@ TEST(BodyMechanics, FrictionOfTheNeckIsNamedWithItsNumberAndNothingElseIs) {
   EXPECT_EQ(found.placed.effect->id, "viscous");
   EXPECT_THAT(found.placed.joints, testing::ElementsAre(Joint::kNeck));
   EXPECT_NEAR(found.own.front() + found.placed.values[0], 0.04, 0.002);
-  EXPECT_LT(answer.mechanics.held_out_after, 0.85 * answer.mechanics.held_out_before);
+  EXPECT_LT(answer.held_out.after.joints, 0.85 * answer.held_out.before.joints);
   const auto json = asJson(given, answer);
   EXPECT_EQ(json["effects"][0]["at"], "Neck");
   EXPECT_TRUE(json["remainder"].is_null());
