@@ -114,6 +114,7 @@ BamLog parseBamLog(std::string_view json, const std::string& file, const std::st
   out.log.file = name + ".csv";
   out.motor = head.text("motor", "");
   out.log.kind = head.text("trajectory", name);
+  out.log.is_session_known = false;  // the clock of each log is its own
   out.log.p_register = head.number("kp", {"", 0, 16'383});
   out.log.payload_kg = head.number("mass", {"kg", 0, 20});
   out.log.length_m = head.number("length", {"m", 0.005, 2});

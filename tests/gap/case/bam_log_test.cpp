@@ -164,6 +164,7 @@ TEST(BamLog, AFolderBecomesACaseOfSeveralArms) {
   EXPECT_EQ(armOf(back, back.logs[1]).length_m, 0.1);
   EXPECT_EQ(back.logs[1].current_a[5], 0.5);
   EXPECT_EQ(back.goal_order, GoalOrder::kBeforeRead);
+  EXPECT_FALSE(back.logs[0].is_session_known) << "a log of BAM has a clock of its own";
   EXPECT_TRUE(readBamFolder(folder / "", model, {"b.json"}).given.logs[1].held_out);
 }
 
