@@ -13,7 +13,8 @@ double stallTorque(const twin::ServoParameters& servo) {
 /// Factor on a parameter of this part and dimension.
 double inProportion(const twin::ServoParameters& servo, twin::LoopPart part, std::string_view unit) {
   const twin::ServoParameters usual;
-  if (unit == "kg m2") return servo.armature_kgm2 / usual.armature_kgm2;
+  // A model without an armature says nothing of its size.
+  if (unit == "kg m2") return servo.armature_kgm2 > 0 ? servo.armature_kgm2 / usual.armature_kgm2 : 1;
   if (part != twin::LoopPart::kFriction) return 1;
   const double stall = stallTorque(servo) / stallTorque(usual);
   if (unit == "N m" || unit == "N m s/rad") return stall;

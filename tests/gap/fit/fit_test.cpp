@@ -42,6 +42,8 @@ TEST(SearchRange, OfAnArmatureGrowsWithIt) {
   EXPECT_DOUBLE_EQ(usual.low, unknownsOf(*twin::findEffect("inertia")).front().low);
   EXPECT_DOUBLE_EQ(wide.low, 10 * usual.low);
   EXPECT_DOUBLE_EQ(wide.high, 10 * usual.high);
+  large.armature_kgm2 = 0;
+  EXPECT_DOUBLE_EQ(unknownsOf(*twin::findEffect("inertia"), large).front().high, usual.high);
 }
 
 TEST(Nuisances, EveryPriorThatACaseMayHaveMovesANumber) {
