@@ -105,17 +105,17 @@ std::string Declarations::missingOfServo() const {
   return out;
 }
 
-twin::ServoParameters Declarations::servoFrom(twin::ServoParameters servo, std::vector<std::string>& warnings) const {
+twin::ServoParameters Declarations::servoFrom(twin::ServoParameters servo, std::vector<std::string>& notes) const {
   Json sheet = Json::object();
   for (const auto& [key, value] : servo_) sheet[key] = numberIn(key, value);
   servo.law = twin::Law::kVoltageP;
   servo.supply_v = number("supply_V").value_or(servo.supply_v);
-  servo = readDatasheet(Fields{sheet, "--declare", ""}, servo, warnings).servo;
+  servo = readDatasheet(Fields{sheet, "--declare", ""}, servo, notes).servo;
   for (const ServoKey& key : servoKeys())
     if (const auto found = servo_.find(std::string{key.json}); found != servo_.end())
       servo.*key.member = numberIn(found->first, found->second);
   servo.back_emf_vs_rad = servo.kt_nm_a;
-  if (!servo_.contains("armature_kgm2")) warnings.emplace_back(messages::kArmatureAssumed);
+  if (!servo_.contains("armature_kgm2")) notes.emplace_back(messages::kArmatureAssumed);
   return servo;
 }
 

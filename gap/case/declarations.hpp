@@ -38,8 +38,8 @@ class Declarations {
   [[nodiscard]] bool describeServo() const { return !servo_.empty(); }
   /// Which of those that a servo needs are not: a line each, empty: none.
   [[nodiscard]] std::string missingOfServo() const;
-  /// What is not declared is as in `servo`.
-  [[nodiscard]] twin::ServoParameters servoFrom(twin::ServoParameters servo, std::vector<std::string>& warnings) const;
+  /// What is not declared is as in `servo`. Appends to `notes` what is assumed.
+  [[nodiscard]] twin::ServoParameters servoFrom(twin::ServoParameters servo, std::vector<std::string>& notes) const;
 
   /// A line of the list of what is missing.
   static std::string missing(std::string_view key, std::string_view meaning);

@@ -24,13 +24,11 @@ constexpr const char* kOwnServo = "darwin-op";  // model whose servo is the MX-2
 /// Reads the logs with what is declared of them.
 void takeDeclared(const Declarations& declared, FolderCase& in) {
   const Case logs = in.given;
-  std::vector<std::string> warnings = in.given.warnings;
   const auto log = [&](const std::string& name) {
     return logs::parseLog(logAsCsv(*std::ranges::find(logs.logs, name, &Trajectory::file)),
                           (fs::path{logs.folder} / name).string());
   };
   readDeclared(caseAsJson(logs, !fitsBaseline(logs)), declared, {.log = log, .model = {}}, in);
-  in.given.warnings.insert(in.given.warnings.begin(), warnings.begin(), warnings.end());
 }
 
 FolderCase fromBam(const RawFolder& request, const Declarations& declared) {
@@ -46,7 +44,7 @@ FolderCase fromBam(const RawFolder& request, const Declarations& declared) {
     throw BadInput(request.folder + messages::kNotDeclared + missing + "\n  or --model FILE, a model of motor \"" +
                    out.motor + "\"");
   if (declared.describeServo()) {
-    out.given.model.servo = declared.servoFrom(out.given.model.servo, out.given.warnings);
+    out.given.model.servo = declared.servoFrom(out.given.model.servo, out.notes);
     out.given.model.effects.clear();  // friction of another servo
     out.notes.push_back("motor \"" + out.motor + "\" has the declared numbers, and the others of model " + model);
   } else {
@@ -66,14 +64,14 @@ FolderCase fromCsv(const RawFolder& request, const Declarations& declared) {
     throw BadInput(error.what());
   }
   std::erase_if(model.effects, [](const twin::EffectSetting& effect) { return effect.joint.has_value(); });
-  std::vector<std::string> warnings;
+  std::vector<std::string> notes;
   if (declared.describeServo()) {
-    model.servo = declared.servoFrom(model.servo, warnings);
+    model.servo = declared.servoFrom(model.servo, notes);
     model.effects.clear();  // friction of another servo
   }
   model.servo.supply_v = declared.number("supply_V").value_or(model.servo.supply_v);
   FolderCase out = readCsvFolder(request, declared, model);
-  out.given.warnings.insert(out.given.warnings.end(), warnings.begin(), warnings.end());
+  out.notes.insert(out.notes.end(), notes.begin(), notes.end());
   return out;
 }
 

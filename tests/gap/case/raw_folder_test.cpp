@@ -164,14 +164,18 @@ TEST_F(RawFolderTest, AnotherMotorIsDeclaredInFull) {
 }
 
 TEST_F(RawFolderTest, TheArmatureOfAnotherServoIsNoted) {
+  const TemporaryFolder csv;
   write(folder / "a.json", bamText(zero, zero));
-  const auto warningsFor = [&](std::vector<std::string> words) {
+  write(csv / "a.csv", csvOf(sineRows()));
+  const auto notesFor = [&](const std::string& from, std::vector<std::string> words) {
     for (const char* const one : {"stall_Nm_at_12V=8.4", "stall_A_at_12V=5.2", "duty_per_kp_per_rad=0.158"})
       words.emplace_back(one);
-    return readRawFolder({.folder = folder / "", .model = "", .declared = words, .held_out = {}}).given.warnings;
+    return readRawFolder({.folder = from, .model = "", .declared = words, .held_out = {}}).notes;
   };
-  EXPECT_THAT(warningsFor({}), Contains(HasSubstr(messages::kArmatureAssumed)));
-  EXPECT_THAT(warningsFor({"armature_kgm2=0.02"}), testing::Not(Contains(HasSubstr(messages::kArmatureAssumed))));
+  const auto is_noted = Contains(HasSubstr(messages::kArmatureAssumed));
+  EXPECT_THAT(notesFor(folder / "", {}), is_noted);
+  EXPECT_THAT(notesFor(folder / "", {"armature_kgm2=0.02"}), testing::Not(is_noted));
+  EXPECT_THAT(notesFor(csv / "", {"kp=32", "payload_kg=0.3", "length_m=0.17", "supply_V=12"}), is_noted);
 }
 
 TEST_F(RawFolderTest, FalseReadingsStayUntilTheWrittenCaseIsRead) {

@@ -93,7 +93,9 @@ TEST(RawLogs, OfBamGiveANameInOneCommand) {
     write((folder / "servo/") + log.kind + ".json", asBamJson(bench, log, "own"));
   const std::string report = folder / "report", run = kRun + (folder / "servo") + " --no-open --report " + report;
   EXPECT_EQ(shell(run).status, kBadInput) << "the motor is not known";
-  expectFriction(shell(run + kSheet + " --keep kept"), report);
+  const Outcome named = shell(run + kSheet + " --keep kept");
+  expectFriction(named, report);
+  EXPECT_THAT(named.said, HasSubstr(messages::kArmatureAssumed));
 }
 
 TEST(RawLogs, RefuseWhatCannotBeDeclared) {
