@@ -38,6 +38,11 @@ FolderCase fromBam(const RawFolder& request, const Declarations& declared) {
     throw BadInput("--declare " + declared.encodings().begin()->first + " " + messages::kOfCsv);
   const std::string model = request.model.empty() ? kOwnServo : request.model;
   FolderCase out = readBamFolder(request.folder, model, request.held_out);
+  if (const std::optional<double> supply_v = declared.number("supply_V")) {
+    if (std::ranges::all_of(out.given.logs, [](const Trajectory& log) { return log.supply_v.has_value(); }))
+      throw BadInput(std::string{"--declare supply_V "} + messages::kOfCsv);
+    out.given.model.servo.supply_v = *supply_v;  // of the logs without one
+  }
   const bool is_known = !request.model.empty() || out.motor.starts_with("mx28");
   const std::string missing = declared.missingOfServo();
   if (!is_known && !missing.empty())

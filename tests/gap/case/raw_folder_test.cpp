@@ -146,6 +146,19 @@ TEST_F(RawFolderTest, WhatIsDeclaredOfBamLogsCounts) {
     }
 }
 
+TEST_F(RawFolderTest, ASupplyIsDeclaredWhereBamLogsHaveNone) {
+  const std::string with = bamText(zero, zero, "\"kp\": 8, \"motor\": \"mx28\"");
+  write(folder / "a.json", with);
+  const auto declared = [&] {
+    return readRawFolder({.folder = folder / "", .model = "", .declared = {"supply_V=11.1"}, .held_out = {}}).given;
+  };
+  EXPECT_THROW((void)declared(), BadInput) << "the log has one";
+  write(folder / "b.json", replaced(with, "\"vin\": 12, ", ""));
+  const Case read = declared();
+  EXPECT_EQ(supplyOf(read, read.logs[0]), 12);
+  EXPECT_EQ(supplyOf(read, read.logs[1]), 11.1);
+}
+
 TEST_F(RawFolderTest, AnotherMotorIsDeclaredInFull) {
   write(folder / "a.json", bamText(zero, zero));  // an MX-106
   const auto declaring = [&](const std::vector<std::string>& words) -> std::string {
