@@ -117,7 +117,10 @@ bool ForwardSelection::step(MechanicsSelection& out) {
   std::erase_if(open, [&](std::size_t limb) { return isIn(limb, closed_); });
   if (open.empty()) return false;
   excess_ = excessOf(robot_, with(robot_, effectsOf(out.found)));
-  std::vector<MechanicsEntry> entries = nextMechanics(robot_, out.found, open, excess_);
+  std::vector<MechanicsEntry> entries = nextMechanics(robot_, out.found, open, excess_, refused_);
+  const bool are_of_all =
+      std::ranges::all_of(entries, [](const auto& entry) { return entry.placed().joints.size() == kJoints; });
+  const std::size_t refused_before = refused_.size();
   std::vector<std::size_t> refused_in(robot_.limbs().size()), changed;
   const auto dropLimbs = [&](const auto& is_done) {
     std::erase_if(entries,
@@ -143,6 +146,8 @@ bool ForwardSelection::step(MechanicsSelection& out) {
     dropLimbs(
         [&](std::size_t limb) { return is_done ? isIn(limb, limbs) : refused_in[limb] >= thresholds::kRefusedOfLimb; });
   }
+  // Where logs refuse the effects of all joints, those of single ones come next.
+  if (are_of_all && changed.empty() && refused_.size() > refused_before) return true;
   for (const std::size_t limb : open) {
     const auto is_left = [&](const auto& entry) {
       return isAcceptable(entry) && isInOneOf(robot_, entry.placed(), {limb});

@@ -38,13 +38,17 @@ std::optional<PlacedMechanics> pairOf(const ClampedRobot& robot, const std::vect
 }  // namespace
 
 std::vector<MechanicsEntry> nextMechanics(const ClampedRobot& robot, const std::vector<FoundMechanics>& found,
-                                          const std::vector<std::size_t>& open, const std::vector<double>& excess) {
+                                          const std::vector<std::size_t>& open, const std::vector<double>& excess,
+                                          const std::vector<PlacedMechanics>& refused) {
   const std::vector<PlacedMechanics> now = effectsOf(found);
   std::vector<MechanicsEntry> common;
   if (open.size() >= thresholds::kLimbsOfAll) {
     common = fitted(robot, found, screenMechanics(robot, open, now, ScreenedPlaces::kAllJoints));
     const double sum = std::accumulate(excess.begin(), excess.end(), 0.0);
-    if (!common.empty() && common.front().gain > thresholds::kExplainedGapShare * sum) return common;
+    const bool is_refused = std::ranges::any_of(common, [&](const MechanicsEntry& entry) {
+      return std::ranges::any_of(refused, [&](const auto& one) { return one.sameName(entry.placed()); });
+    });
+    if (!common.empty() && !is_refused && common.front().gain > thresholds::kExplainedGapShare * sum) return common;
   }
   std::vector<MechanicsEntry> out = fitted(robot, found, screenMechanics(robot, open, now, ScreenedPlaces::kAny));
   std::vector<MechanicsEntry> pairs;

@@ -116,6 +116,16 @@ TEST(MechanicsSearch, ACandidateForAllJointsIsScreenedWhereTheHeadIsClosed) {
   EXPECT_THAT(entries.front().placed().joints, SizeIs(kJoints));
 }
 
+TEST(MechanicsSearch, WhereAnEffectOfAllJointsIsRefusedThoseOfOneAreTried) {
+  BodyCase given = movingRobot(shippedWith("viscous", allJoints(), {0.03}));
+  const BodyCase unseen = movingRobot(shippedWith("viscous", {Joint::kNeck}, {0.03}));
+  for (std::size_t i = 0; i < given.joints.logs.size(); ++i)
+    if (given.joints.logs[i].held_out) given.joints.logs[i] = unseen.joints.logs[i];
+  const MechanicsSelection answer = selectionFor(given);
+  EXPECT_THAT(answer.tried.front().joints, SizeIs(kJoints));
+  EXPECT_THAT(answer.tried, Contains(testing::Field(&PlacedMechanics::joints, SizeIs(1))));
+}
+
 TEST(MechanicsSearch, TheOtherJointOfAPairIsAskedWhereItsLimbIsClosed) {
   const std::vector<Joint> both{Joint::kArmUpperR, Joint::kArmUpperL};
   for (const bool is_pair : {true, false}) {
