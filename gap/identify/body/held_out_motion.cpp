@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 
@@ -52,6 +53,10 @@ double heldOutErrorIn(const ClampedRobot& robot, const std::vector<std::size_t>&
   Squares all;
   for (const Squares& one : of) all.sum += one.sum, all.count += one.count;
   return std::sqrt(all.sum / all.count);
+}
+
+bool holdsUnseen(double before_rad, double after_rad) {
+  return std::isnan(before_rad) || after_rad <= thresholds::kHeldOutRise * before_rad;
 }
 
 }  // namespace darwinop::gap

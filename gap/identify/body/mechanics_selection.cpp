@@ -100,8 +100,7 @@ bool ForwardSelection::add(MechanicsSelection& out, FoundMechanics one) {
   refit(robot_, out.found);
   const BodyHypothesis after = with(robot_, effectsOf(out.found));
   renewRows(out, limbs);  // both are judged with the numbers that the fits left
-  const bool holds = !anyLogRefutes(robot_, limbs, before, after) &&
-                     !(heldOutError(robot_, after) > thresholds::kHeldOutRise * unseen);
+  const bool holds = !anyLogRefutes(robot_, limbs, before, after) && holdsUnseen(unseen, heldOutError(robot_, after));
   if (!holds) {
     refused_.push_back(out.found.back().placed);
     out.tried.push_back(out.found.back().placed);

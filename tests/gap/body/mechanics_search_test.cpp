@@ -165,6 +165,14 @@ TEST(MechanicsSearch, HeldOutRecordingsAreJudgedWithTheNumbersThatWereFitted) {
   EXPECT_LT(heldOutError(robot, robot.baseline()), 0.9 * declared);
 }
 
+TEST(MechanicsSearch, ASimulationOfHeldOutRecordingsThatFailsContradicts) {
+  const double none = std::nan("");
+  EXPECT_TRUE(holdsUnseen(0.001, 0.00102));
+  EXPECT_FALSE(holdsUnseen(0.001, 0.0011));
+  EXPECT_FALSE(holdsUnseen(0.001, none));
+  EXPECT_TRUE(holdsUnseen(none, none)) << "there are none";
+}
+
 TEST(MechanicsSearch, AFrictionIsFoundAsAnAdditionToEachJointsOwn) {
   const MechanicsSelection all = selectionFor(movingRobot(shippedWith("coulomb", allJoints(), {0.05})));
   ASSERT_THAT(all.found, SizeIs(1));
