@@ -69,12 +69,13 @@ class HeldOutSimulation {
 /// Sums of squares of the three groups.
 class GapSum {
  public:
-  /// `measured`: what is missing there does not count. `variance`: of each signal, on top.
+  /// `measured`: what is missing there does not count. `variance`: of each signal, on top. NaN in `difference`: the
+  /// simulation failed, and the rms of its group is not known.
   void add(const Signals& measured, const Signals& difference, const Eigen::VectorXd& variance) {
     for (Eigen::Index signal = 0; signal < difference.cols(); ++signal)
       for (Eigen::Index row = 0; row < difference.rows(); ++row) {
+        if (std::isnan(measured(row, signal))) continue;
         const double one = difference(row, signal);
-        if (std::isnan(measured(row, signal)) || std::isnan(one)) continue;
         const std::size_t group = signal < kFirstOfGyro ? 0 : signal < kFirstOfGyro + 3 ? 1 : 2;
         squares_[group] += one * one + variance[signal], counts_[group] += 1;
       }

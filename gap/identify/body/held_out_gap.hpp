@@ -7,7 +7,8 @@
 
 namespace darwinop::gap {
 
-/// Rms of measured minus simulated samples: positions of joints in rad, sensors in their units. NaN: there are none.
+/// Rms of measured minus simulated samples: positions of joints in rad, sensors in their units. NaN: there are none, or
+/// their simulation failed.
 struct GapErrors {
   double joints = kUnknown, gyro = kUnknown, accel = kUnknown;
 };

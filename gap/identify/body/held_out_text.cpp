@@ -9,9 +9,12 @@ namespace darwinop::gap {
 std::string asText(const HeldOutGap& gap) {
   std::string text;
   const auto add = [&](const char* what, double GapErrors::*of, double factor, const char* unit) {
-    if (!std::isfinite(gap.before.*of)) return;
-    text += text::formatted("%s %s %.3g -> %.3g %s (noise %.3g)", text.empty() ? "" : ",", what,
-                            factor * (gap.before.*of), factor * (gap.after.*of), unit, factor * (gap.floor.*of));
+    if (!std::isfinite(gap.before.*of) && !std::isfinite(gap.after.*of)) return;
+    const auto shown = [&](const GapErrors& errors) {
+      return std::isfinite(errors.*of) ? text::formatted("%.3g", factor * (errors.*of)) : std::string{"not known"};
+    };
+    text += std::string{text.empty() ? " " : ", "} + what + " " + shown(gap.before) + " -> " + shown(gap.after) + " " +
+            unit + " (noise " + shown(gap.floor) + ")";
   };
   add("joints", &GapErrors::joints, 1e3, "mrad");
   add("gyro", &GapErrors::gyro, 1, "rad/s");

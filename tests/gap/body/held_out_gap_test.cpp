@@ -61,6 +61,15 @@ TEST(HeldOutGap, AFrictionIsInTheGapOfClampedLogs) {
   expectNoise(gap.after, gap.floor);
 }
 
+TEST(HeldOutGap, OfASimulationThatFailsIsNotKnown) {
+  FloorModel wrong = shippedOnFloor();
+  wrong.robot.engine.drop_m = 1e12;  // farther than MuJoCo simulates
+  const HeldOutGap gap =
+      heldOutGap(both(movingRobot(shippedRobot()), standingRobot(shippedOnFloor())), shippedOnFloor(), wrong);
+  EXPECT_TRUE(std::isfinite(gap.before.joints));
+  EXPECT_TRUE(std::isnan(gap.after.joints)) << gap.after.joints;
+}
+
 TEST(HeldOutGap, WithoutASimulationJointsAreNotKnown) {
   const HeldOutGap gap = heldOutGapAtRest(both(movingRobot(shippedRobot()), standingRobot(shippedOnFloor())), {});
   EXPECT_TRUE(std::isnan(gap.before.joints));
