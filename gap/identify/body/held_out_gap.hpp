@@ -13,13 +13,13 @@ struct GapErrors {
   double joints = kUnknown, gyro = kUnknown, accel = kUnknown;
 };
 
-/// Over all held-out logs, clamped, on the floor and lying, sample by sample. `floor`: of repeats of the final model
-/// with noise against itself.
+/// Over all held-out logs that are simulated, sample by sample: with a clamped trunk, and those of floorLogs(). `floor`:
+/// of repeats of the final model with noise against itself.
 struct HeldOutGap {
   GapErrors before, after, floor;
 };
 
-/// `declared`: what the case believes, with the battery's voltage that it says.
+/// `declared`: the model of the case, with the battery's voltage that it gives.
 HeldOutGap heldOutGap(const BodyCase& given, const FloorModel& declared, const FloorModel& final_model);
 /// Of the sensors in logs with a clamped trunk alone, without a simulation.
 HeldOutGap heldOutGapAtRest(const BodyCase& given, const ImuDeviation& final_imu);

@@ -19,7 +19,7 @@ std::string asText(const HeldOutGap& gap) {
   add("joints", &GapErrors::joints, 1e3, "mrad");
   add("gyro", &GapErrors::gyro, 1, "rad/s");
   add("accelerometer", &GapErrors::accel, 1, "m/s2");
-  return text.empty() ? text : "  all held-out logs:" + text + "\n";
+  return text.empty() ? text : "  held-out logs that are simulated:" + text + "\n";
 }
 
 nlohmann::ordered_json asJson(const GapErrors& of) {
