@@ -181,8 +181,10 @@ void ForwardSelection::run(MechanicsSelection& out) {
 
 void setOwn(BodyHypothesis robot, std::vector<FoundMechanics>& found) {
   for (FoundMechanics& one : found) {
-    if (one.placed.effect->numbers.front().is_addition)
+    if (one.placed.effect->numbers.front().is_addition) {
       for (const Joint joint : one.placed.joints) one.own.push_back(ownNumber(robot, *one.placed.effect, joint));
+      one.placed.values.front() = std::max(one.placed.values.front(), -std::ranges::max(one.own));
+    }
     one.placed.applyTo(robot);
   }
 }

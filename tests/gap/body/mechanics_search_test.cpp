@@ -192,6 +192,14 @@ TEST(MechanicsSearch, ASecondAdditionToAJointIsOnTopOfTheFirst) {
   EXPECT_THAT(found[1].own, ElementsAre(own + 0.1));
 }
 
+TEST(MechanicsSearch, NoMoreFrictionIsTakenAwayThanThereIs) {
+  const MechanicalEffect& coulomb = effectCalled("coulomb");
+  const double own = ownNumber(shippedRobot(), coulomb, Joint::kArmUpperR);
+  std::vector<FoundMechanics> found{{.placed = {&coulomb, {Joint::kArmUpperR}, {-2 * own}}, .sigmas = {}, .rivals = {}}};
+  setOwn(shippedRobot(), found);
+  EXPECT_EQ(found.front().placed.values.front(), -own);
+}
+
 TEST(MechanicsSearch, AFrictionOfAnAnkleIsFoundBeyondTheLargestOfASingleServo) {
   const MechanicsSelection answer = selectionFor(movingRobot(shippedWith("coulomb", {Joint::kAnkleR}, {0.1})));
   ASSERT_THAT(answer.found, SizeIs(1));
