@@ -29,7 +29,7 @@ class FloorSearch {
         logs_{floorLogs(given, false)},
         imu_{given.joints.model},
         stance_{given, imu_, about},
-        effects_{floorCandidates(given)},
+        effects_{floorCandidates(given, about)},
         of_gyro_{stance_.best(*effects_)},
         about_{withGyro(about)},
         residuals_{given, logs_, imu_, about_, ignored},
@@ -168,7 +168,7 @@ FloorSelection identifyFloor(const BodyCase& given, const FloorModel& about, con
 }
 
 FloorSelection identifyMovingGyro(const BodyCase& given, const FloorModel& about) {
-  const auto effects = floorCandidates(given);
+  const auto effects = floorCandidates(given, about);
   const MovingImu imu{given.joints.model};
   FloorSelection out{.effects = effects, .found = {}, .rows = {}, .rows_after = {}, .tried = {}};
   if (std::optional<FoundFloor> found = StanceSelection{given, imu, about}.best(*effects))
