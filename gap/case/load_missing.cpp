@@ -18,9 +18,9 @@ constexpr std::size_t kEnough = 20;  // rows; after a step of the goal the duty 
 void dropMissingLoad(Trajectory& log, const std::string& file, Case& of) {
   const twin::ServoParameters& servo = of.model.servo;
   if (servo.law != twin::Law::kVoltageP) return;
+  if (std::ranges::any_of(log.load, [](double load) { return !std::isnan(load) && load != 0; })) return;
   std::size_t asked = 0;
   for (std::size_t row = 1; row < log.rows(); ++row) {
-    if (!std::isnan(log.load[row]) && log.load[row] != 0) return;
     if (log.torque_on[row] == 0 || std::isnan(log.load[row])) continue;
     const double error = std::abs(log.goal_rad[row - 1] - log.position_rad[row]);
     if (error > kError && servo.duty_per_kp_per_rad * log.p_register * error > kAsked) ++asked;

@@ -143,9 +143,10 @@ TEST(LogErrors, ALoadWithTheOppositeSign) {
 }
 
 TEST(LogErrors, ALoadOfZeroWhereTorqueIsAskedForIsNotMeasured) {
-  const auto zeroes = [](double late, double on) {
+  const auto zeroes = [](double late, double on, double first = 0) {
     std::vector<CsvRow> rows = sineRows();
     for (CsvRow& row : rows) row.pos *= late, row.on = on, row.load = 0;
+    rows[0].load = first;
     return CaseTexts{}.with(rows).read();
   };
   const Case pushing = zeroes(0.8, 1);
@@ -153,6 +154,7 @@ TEST(LogErrors, ALoadOfZeroWhereTorqueIsAskedForIsNotMeasured) {
   EXPECT_THAT(pushing.warnings, testing::Contains(HasSubstr(messages::kLoadIsZero)));
   EXPECT_EQ(zeroes(0.99, 1).logs[0].load[100], 0) << "within a dead band";
   EXPECT_EQ(zeroes(0.8, 0).logs[0].load[100], 0) << "torque is off";
+  EXPECT_EQ(zeroes(0.8, 1, 5).logs[0].load[100], 0) << "not in every row";
 }
 
 TEST(LogErrors, ASensorThatNeverMoves) {
