@@ -101,8 +101,12 @@ std::optional<BadInput> fill(LogEntry& entry, Fields& top, const Encodings& raw,
     into.warnings.insert(into.warnings.end(), log.warnings.begin(), log.warnings.end());
     fillTrajectory(log, raw, entry, into.warnings);
     takeOrder(top, log.recording || entry.head.isReadAfterWrite(), into);
-    Trajectory copy = entry.head;
-    checkLog(files.leave_out ? copy : entry.head, log.file, into);
+    if (files.leave_out) {
+      Trajectory copy = entry.head;
+      checkLog(copy, log.file, into);
+    } else {
+      checkLog(entry.head, log.file, into);
+    }
     return std::nullopt;
   } catch (const BadInput& reason) {
     return reason;
