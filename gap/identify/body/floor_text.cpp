@@ -57,7 +57,7 @@ std::string asText(const FloorSelection& selection) {
     for (const PlacedFloor& rival : one.rivals) text += "  or " + placeText(*rival.effect) + "\n";
   }
   for (const PlacedFloor& one : selection.tried)
-    text += "  nearest, but it leaves too much: " + placeText(*one.effect) + "\n";
+    text += "  not named, as a log or a limb contradicts it: " + placeText(*one.effect) + "\n";
   return text;
 }
 

@@ -19,7 +19,7 @@ struct FoundMechanics {
 struct MechanicsSelection {
   std::vector<FoundMechanics> found;   // in the order in which they were found
   std::vector<BodyRow> rows;           // of the table, with what was found; those that remain are open
-  std::vector<PlacedMechanics> tried;  // earned its place, but left too much unexplained for a name
+  std::vector<PlacedMechanics> tried;  // earned its place, but a log contradicts it, or it left too much unexplained
 };
 
 /// Names that an effect at its places competes with count: twice the logarithm of their number is the price of one.

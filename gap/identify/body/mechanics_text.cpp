@@ -93,8 +93,8 @@ std::string asText(const MechanicsSelection& selection) {
       text += "  or " + std::string{rival.effect->id} + " at " + placesText(rival.joints) + "\n";
   }
   for (const PlacedMechanics& one : selection.tried)
-    text +=
-        "  nearest, but it leaves too much: " + std::string{one.effect->id} + " at " + placesText(one.joints) + "\n";
+    text += "  not named, as a log contradicts it or it leaves too much: " + std::string{one.effect->id} + " at " +
+            placesText(one.joints) + "\n";
   return text;
 }
 
