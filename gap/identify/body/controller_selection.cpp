@@ -147,7 +147,7 @@ std::vector<FoundMechanics> Selection::run() {
     if (all.empty()) break;
     forEach(all.size(), [&](std::size_t i) { fit(all[i]); });
     std::ranges::stable_sort(all, std::greater{}, &Candidate::evidence);
-    // One that explains too little, or that held-out logs contradict, hides no other joint's.
+    // Where one explains too little, or held-out logs contradict it, the search goes on in other joints.
     const auto earns = [&](const Candidate& one) {
       return one.evidence >= -2 * std::log(thresholds::kMechanicalChance) && holds(one);
     };

@@ -26,8 +26,8 @@ MechanicsEntry fittedFrom(const ClampedRobot& robot, const std::vector<FoundMech
 /// Sorted entries: indices of those that are the first of a limb.
 std::vector<std::size_t> bestOfLimbs(const ClampedRobot& robot, const std::vector<MechanicsEntry>& entries);
 
-/// Candidates that are worth a fit, by what the screen promises less the prices of their names and numbers: the best of
-/// all, and the best few of each limb. Of mass and centre of mass of a link, the better one.
+/// Candidates that are worth a fit, by predicted gain less the prices of their names and numbers: the best of all, and
+/// the best few of each limb. Of mass and centre of mass of a link, the better one.
 std::vector<MechanicsCandidate> shortlist(const ClampedRobot& robot, std::vector<MechanicsCandidate> candidates);
 
 /// The shortlist of a screen, fitted; best first. Mass and centre of mass of a limb's best link are both among them.

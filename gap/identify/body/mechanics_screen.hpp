@@ -1,4 +1,4 @@
-// A linear screen of all effects of joints and links: what one simulation of each promises.
+// A linear screen of all effects of joints and links: the gain that one simulation of each predicts.
 #pragma once
 
 #include "gap/identify/body/mechanics_fit.hpp"
@@ -11,7 +11,7 @@ struct MechanicsCandidate {
 };
 
 /// kAny: in one joint of these limbs, or in a pair with both joints in them. kAllJoints: an effect that all joints of
-/// the robot have, in a fifth of the time; a limb that is closed is asked as well.
+/// the robot have, in a fifth of the time; closed limbs count as well.
 enum class ScreenedPlaces : std::uint8_t { kAny, kAllJoints };
 
 /// Effects beside those that are `found`; best first.

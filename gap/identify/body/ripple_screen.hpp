@@ -24,8 +24,8 @@ RippleScan scanRipples(const ClampedRobot& robot, const BodyHypothesis& now, Joi
 /// Amplitude, count and phase of the ripples that explain most of all these joints together, no two counts neighbours.
 std::vector<std::vector<double>> ripplesIn(const std::vector<const RippleScan*>& joints);
 
-/// Simulated in each joint and pair of `sets`, or in all joints. `left`: whitened residuals of each limb; empty: the
-/// limb is not asked.
+/// Simulated in each joint and pair of `sets`, or in all joints. `left`: whitened residuals of each limb; empty: none
+/// in the limb are simulated.
 std::vector<MechanicsCandidate> rippleCandidates(const ClampedRobot& robot, const BodyHypothesis& now,
                                                  const std::vector<std::vector<Joint>>& sets, ScreenedPlaces places,
                                                  const std::vector<Eigen::VectorXd>& left);
