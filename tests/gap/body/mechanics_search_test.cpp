@@ -1,12 +1,9 @@
 // How the search for effects of joints and links goes on where one limb, one joint or one name is not explained.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-
 #include "core/random.hpp"
-#include "gap/body/moving_robot.hpp"
+#include "gap/body/searched_robot.hpp"
 #include "gap/identify/body/controller_selection.hpp"
-#include "gap/identify/body/held_out_motion.hpp"
 #include "gap/identify/body/next_mechanics.hpp"
 #include "gap/identify/body/unexplained_mechanics.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -15,26 +12,9 @@ namespace darwinop::gap {
 namespace {
 
 using testing::Contains;
-using testing::ElementsAre;
 using testing::SizeIs;
 
 constexpr double kOpenFrom = 3.6;  // sigma: 1 % for 66 rows
-
-const MechanicalEffect& effectCalled(std::string_view id) {
-  return *std::ranges::find(mechanicalEffects(), id, &MechanicalEffect::id);
-}
-
-BodyHypothesis shippedWith(std::string_view id, const std::vector<Joint>& joints, const std::vector<double>& values) {
-  BodyHypothesis robot = shippedRobot();
-  for (const Joint joint : joints) effectCalled(id).apply(robot, joint, values);
-  return robot;
-}
-
-std::vector<Joint> allJoints() {
-  std::vector<Joint> all;
-  for (std::size_t joint = 0; joint < kJoints; ++joint) all.push_back(static_cast<Joint>(joint));
-  return all;
-}
 
 /// What no effect does, in every log of one joint: both load and position jump about.
 void disturb(BodyCase& given, Joint joint, double by_rad) {
@@ -47,20 +27,6 @@ void disturb(BodyCase& given, Joint joint, double by_rad) {
       log.load[row] += 2 * error;
     }
   }
-}
-
-MechanicsSelection selectionFor(const BodyCase& given) {
-  ClampedRobot robot{given};
-  return identifyMechanics(robot, localize(given, RestingImu{given.joints.model}, robot));
-}
-
-std::vector<std::string> namesOf(const std::vector<FoundMechanics>& found) {
-  std::vector<std::string> out;
-  for (const FoundMechanics& one : found) {
-    out.emplace_back(one.placed.effect->id);
-    for (const Joint joint : one.placed.joints) out.back() += " " + std::string{row(joint).name};
-  }
-  return out;
 }
 
 TEST(MechanicsSearch, ALimbThatNothingExplainsHidesNoEffectOfAnother) {
@@ -151,80 +117,6 @@ TEST(MechanicsSearch, ASmallRemainderTakesNoNameAwayThatHeldOutRecordingsShow) {
     dropUnexplained(robot, kOpenFrom, selection);
     EXPECT_THAT(selection.found, SizeIs(joint == Joint::kArmUpperR ? 1 : 0)) << row(joint).name;
   }
-}
-
-TEST(MechanicsSearch, HeldOutRecordingsAreJudgedWithTheNumbersThatWereFitted) {
-  BodyCase given = movingRobot(shippedWith("coulomb", {Joint::kArmUpperR}, {0.04}));
-  given.trust["friction"] = 0.6;
-  ClampedRobot robot{given};
-  const double declared = heldOutError(robot, robot.baseline());
-  const std::size_t limb = robot.limbOf(Joint::kArmUpperR);
-  const auto numbers = robot.residuals(limb).betterNumbers(robot.baseline());
-  ASSERT_TRUE(numbers);
-  robot.replace(limb, robot.residuals(limb).about(robot.baseline(), *numbers));
-  EXPECT_LT(heldOutError(robot, robot.baseline()), 0.9 * declared);
-}
-
-TEST(MechanicsSearch, ASimulationOfHeldOutRecordingsThatFailsContradicts) {
-  const double none = std::nan("");
-  EXPECT_TRUE(holdsUnseen(0.001, 0.00102));
-  EXPECT_FALSE(holdsUnseen(0.001, 0.0011));
-  EXPECT_FALSE(holdsUnseen(0.001, none));
-  EXPECT_TRUE(holdsUnseen(none, none)) << "there are none";
-}
-
-TEST(MechanicsSearch, AFrictionIsFoundAsAnAdditionToEachJointsOwn) {
-  const MechanicsSelection all = selectionFor(movingRobot(shippedWith("coulomb", allJoints(), {0.05})));
-  ASSERT_THAT(all.found, SizeIs(1));
-  EXPECT_EQ(all.found.front().placed.effect->id, "coulomb");
-  EXPECT_THAT(all.found.front().placed.joints, SizeIs(kJoints));
-  EXPECT_NEAR(all.found.front().placed.values[0], 0.05, 0.005);
-}
-
-TEST(MechanicsSearch, ASecondAdditionToAJointIsOnTopOfTheFirst) {
-  const MechanicalEffect& coulomb = effectCalled("coulomb");
-  std::vector<FoundMechanics> found{
-      {.placed = {&coulomb, {Joint::kArmUpperR, Joint::kArmUpperL}, {0.1}}, .sigmas = {}, .rivals = {}},
-      {.placed = {&coulomb, {Joint::kArmUpperR}, {0.05}}, .sigmas = {}, .rivals = {}}};
-  const double own = ownNumber(shippedRobot(), coulomb, Joint::kArmUpperR);
-  setOwn(shippedRobot(), found);
-  EXPECT_THAT(found[0].own, ElementsAre(own, own));
-  EXPECT_THAT(found[1].own, ElementsAre(own + 0.1));
-}
-
-TEST(MechanicsSearch, NoMoreFrictionIsTakenAwayThanThereIs) {
-  const MechanicalEffect& coulomb = effectCalled("coulomb");
-  const double own = ownNumber(shippedRobot(), coulomb, Joint::kArmUpperR);
-  std::vector<FoundMechanics> found{{.placed = {&coulomb, {Joint::kArmUpperR}, {-2 * own}}, .sigmas = {}, .rivals = {}}};
-  setOwn(shippedRobot(), found);
-  EXPECT_EQ(found.front().placed.values.front(), -own);
-}
-
-TEST(MechanicsSearch, AFrictionOfAnAnkleIsFoundBeyondTheLargestOfASingleServo) {
-  const MechanicsSelection answer = selectionFor(movingRobot(shippedWith("coulomb", {Joint::kAnkleR}, {0.1})));
-  ASSERT_THAT(answer.found, SizeIs(1));
-  EXPECT_EQ(namesOf(answer.found).front(), "coulomb AnkleR");
-  EXPECT_NEAR(answer.found.front().placed.values[0], 0.1, 0.01);
-  EXPECT_THAT(answer.found.front().own, ElementsAre(0.25));
-}
-
-class Ripple : public testing::TestWithParam<std::vector<double>> {};
-INSTANTIATE_TEST_SUITE_P(Hidden, Ripple,
-                         testing::Values(std::vector<double>{0.04, 45, 1.57}, std::vector<double>{0.04, 13, -2.6},
-                                         std::vector<double>{0.04, 24, 0}));
-
-TEST_P(Ripple, IsFoundWithItsCountAndPhase) {
-  const std::vector<double>& hidden = GetParam();
-  const MechanicsSelection answer = selectionFor(movingRobot(shippedWith("cogging", {Joint::kLegUpperR}, hidden)));
-  ASSERT_THAT(answer.found, SizeIs(1));
-  EXPECT_EQ(namesOf(answer.found).front(), "cogging LegUpperR");
-  const std::vector<double>& found = answer.found.front().placed.values;
-  EXPECT_NEAR(found[0], hidden[0], 0.1 * hidden[0]);
-  EXPECT_NEAR(found[1], hidden[1], 1);
-  const auto& limits = kJointTable[static_cast<std::size_t>(Joint::kLegUpperR)];
-  const double middle = radFromTicks(static_cast<std::uint16_t>((limits.low + limits.high) / 2)).value;
-  const auto at_middle = [&](const std::vector<double>& ripple) { return ripple[1] * middle + ripple[2]; };
-  EXPECT_NEAR(std::remainder(at_middle(found) - at_middle(hidden), 2 * kPi), 0, 0.3) << "count and phase go together";
 }
 
 }  // namespace
