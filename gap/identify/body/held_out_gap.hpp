@@ -13,8 +13,8 @@ struct GapErrors {
   double joints = kUnknown, gyro = kUnknown, accel = kUnknown;
 };
 
-/// Over all held-out logs that are simulated, sample by sample: with a clamped trunk, and those of floorLogs(). `floor`:
-/// of repeats of the final model with noise against itself.
+/// Over all held-out logs that are simulated, sample by sample: with a clamped trunk, and those of floorLogs().
+/// `floor`: of repeats of the final model with noise against itself.
 struct HeldOutGap {
   GapErrors before, after, floor;
 };

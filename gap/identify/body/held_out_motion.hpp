@@ -15,8 +15,8 @@ double heldOutError(const ClampedRobot& robot, const BodyHypothesis& hypothesis)
 /// The same of the joints of these limbs.
 double heldOutErrorIn(const ClampedRobot& robot, const std::vector<std::size_t>& limbs,
                       const BodyHypothesis& hypothesis);
-/// No held-out log contradicts a step from one such error to another. NaN before: there are none; NaN only after it: the
-/// simulation failed, which contradicts it.
+/// No held-out log contradicts a step from one such error to another. NaN before: there are none; NaN only after it:
+/// the simulation failed, which contradicts it.
 bool holdsUnseen(double before_rad, double after_rad);
 
 }  // namespace darwinop::gap

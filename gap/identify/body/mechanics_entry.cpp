@@ -58,6 +58,16 @@ std::vector<PlacedMechanics> effectsOf(const std::vector<FoundMechanics>& found)
   return out;
 }
 
+void setOwn(BodyHypothesis robot, std::vector<FoundMechanics>& found) {
+  for (FoundMechanics& one : found) {
+    if (one.placed.effect->numbers.front().is_addition) {
+      for (const Joint joint : one.placed.joints) one.own.push_back(ownNumber(robot, *one.placed.effect, joint));
+      one.placed.values.front() = std::max(one.placed.values.front(), -std::ranges::max(one.own));
+    }
+    one.placed.applyTo(robot);
+  }
+}
+
 bool isInOneOf(const ClampedRobot& robot, const PlacedMechanics& effect, const std::vector<std::size_t>& limbs) {
   return std::ranges::any_of(limbsOf(robot, {effect}),
                              [&](std::size_t own) { return std::ranges::find(limbs, own) != limbs.end(); });

@@ -15,6 +15,8 @@ struct MechanicsEntry {
 };
 
 std::vector<PlacedMechanics> effectsOf(const std::vector<FoundMechanics>& found);
+/// Sets `own`: what the model and the effects before an addition give each of its joints. No more is taken away.
+void setOwn(BodyHypothesis robot, std::vector<FoundMechanics>& found);
 /// Robust cost of these limbs.
 double costOf(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& hypothesis);
 /// One of the effect's joints is in one of the limbs.

@@ -179,16 +179,6 @@ void ForwardSelection::run(MechanicsSelection& out) {
 
 }  // namespace
 
-void setOwn(BodyHypothesis robot, std::vector<FoundMechanics>& found) {
-  for (FoundMechanics& one : found) {
-    if (one.placed.effect->numbers.front().is_addition) {
-      for (const Joint joint : one.placed.joints) one.own.push_back(ownNumber(robot, *one.placed.effect, joint));
-      one.placed.values.front() = std::max(one.placed.values.front(), -std::ranges::max(one.own));
-    }
-    one.placed.applyTo(robot);
-  }
-}
-
 MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table) {
   MechanicsSelection out;
   out.found = identifyControllers(robot.given(), robot.baseline(), table.open_from);

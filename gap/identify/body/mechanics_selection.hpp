@@ -25,9 +25,6 @@ struct MechanicsSelection {
 /// Names that an effect at its places competes with count: twice the logarithm of their number is the price of one.
 double namePrice(const PlacedMechanics& placed);
 
-/// Sets `own`: what the model and the effects before an addition give each of its joints. No more is taken away.
-void setOwn(BodyHypothesis robot, std::vector<FoundMechanics>& found);
-
 /// `robot`: its noise is estimated again about what is found.
 MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table);
 
