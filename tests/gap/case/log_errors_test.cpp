@@ -127,36 +127,6 @@ TEST(LogErrors, ColumnsAndTheirUnits) {
   EXPECT_THAT(named("volt_V", "pos_deg"), HasSubstr("both contain the pos"));
 }
 
-/// An arm that a servo of a high gain cannot lift, under full duty all the time.
-CaseTexts saturated(double load_pct) {
-  std::vector<CsvRow> rows = sineRows(0.05, 0.5);
-  for (CsvRow& row : rows) {
-    row.goal = row.t < 1.6 ? 0.5 : -0.5;
-    row.load = row.t <= 1.6 ? load_pct : -load_pct;
-  }
-  return CaseTexts{}.with(rows).with("\"kp\": 32", "\"kp\": 128");
-}
-
-TEST(LogErrors, ALoadWithTheOppositeSign) {
-  EXPECT_EQ(saturated(100).error(), "");
-  EXPECT_THAT(saturated(-100).error(), HasSubstr(messages::kLoadHasOppositeSign));
-}
-
-TEST(LogErrors, ALoadOfZeroWhereTorqueIsAskedForIsNotMeasured) {
-  const auto zeroes = [](double late, double on, double first = 0) {
-    std::vector<CsvRow> rows = sineRows();
-    for (CsvRow& row : rows) row.pos *= late, row.on = on, row.load = 0;
-    rows[0].load = first;
-    return CaseTexts{}.with(rows).read();
-  };
-  const Case pushing = zeroes(0.8, 1);
-  EXPECT_TRUE(std::isnan(pushing.logs[0].load[100]));
-  EXPECT_THAT(pushing.warnings, testing::Contains(HasSubstr(messages::kLoadIsZero)));
-  EXPECT_EQ(zeroes(0.99, 1).logs[0].load[100], 0) << "within a dead band";
-  EXPECT_EQ(zeroes(0.8, 0).logs[0].load[100], 0) << "torque is off";
-  EXPECT_EQ(zeroes(0.8, 1, 5).logs[0].load[100], 0) << "not in every row";
-}
-
 TEST(LogErrors, ASensorThatNeverMoves) {
   const auto stuck = [](double goals, double on) {
     std::vector<CsvRow> rows = sineRows(goals, 0.5);

@@ -1,19 +1,13 @@
 // Folders of many raw logs: which are searched, and what happens to those that cannot be used.
-#include "gap/case/raw_folder.hpp"
-
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <fstream>
 #include <set>
 #include <utility>
 
-#include "gap/case/bam_text.hpp"
 #include "gap/case/case_texts.hpp"
 #include "gap/case/messages.hpp"
+#include "gap/case/raw_folder_rig.hpp"
 #include "gap/case/write_case.hpp"
-#include "support/replaced.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -21,23 +15,6 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-struct RawFolderTest : testing::Test {
-  const TemporaryFolder folder, out;
-
-  RawFolderTest() { write(out / "model.ini", "[model]\nname = any\n"); }
-
-  static void write(const std::string& path, const std::string& text) { std::ofstream{path} << text; }
-  /// A log of that gain and payload.
-  void addLog(const std::string& name, int kp, const std::string& mass_kg) const {
-    const std::string head = "\"kp\": " + std::to_string(kp) + ", \"motor\": \"mx28\"";
-    write(folder / (name + ".json"), replaced(bamText(zero, zero, head), "\"mass\": 0.5", "\"mass\": " + mass_kg));
-  }
-  [[nodiscard]] FolderCase read(bool all_logs = false) const {
-    return readRawFolder(
-        {.folder = folder / "", .model = out / "model.ini", .declared = {}, .held_out = {}, .all_logs = all_logs});
-  }
-};
 
 TEST_F(RawFolderTest, OfManyLogsThoseThatDifferMostAreSearched) {
   for (int i = 0; i < 40; ++i) addLog("a" + std::to_string(100 + i), 8, "0.5");
@@ -103,92 +80,6 @@ TEST_F(RawFolderTest, ACsvThatCannotBeUsedIsLeftOutToo) {
                                            .held_out = {}});
   EXPECT_EQ(usable.given.logs.size(), 11u);
   EXPECT_THAT(usable.notes, Contains(testing::AllOf(HasSubstr(messages::kLeftOut), HasSubstr("stuck.csv"))));
-}
-
-TEST_F(RawFolderTest, AVerticalAxisIsDeclared) {
-  write(folder / "a.csv", csvOf(sineRows()));
-  const FolderCase usable =
-      readRawFolder({.folder = folder / "",
-                     .model = out / "model.ini",
-                     .declared = {"kp=32", "payload_kg=0.3", "length_m=0.17", "supply_V=12", "axis=vertical"},
-                     .held_out = {}});
-  EXPECT_EQ(usable.given.pendulum.gravity_m_s2, 0);
-  EXPECT_EQ(usable.given.pendulum.length_m, 0.17);
-}
-
-TEST_F(RawFolderTest, WhatIsDeclaredOfBamLogsCounts) {
-  addLog("a", 8, "0.5");
-  const auto declaring = [&](std::vector<std::string> words) {
-    return readRawFolder({.folder = folder / "", .model = "", .declared = std::move(words), .held_out = {}}).given;
-  };
-  const Case plain = declaring({});
-  const Case read = declaring({"kt_Nm_A_rel_sigma=0.02", "arm_mass_kg_rel_sigma=0.3", "hangs_at_rad=0.05",
-                               "goal_order=after_read", "axis=vertical", "from_s=0.1", "to_s=2.2"});
-  const auto sigmaOf = [&](std::string_view number) {
-    const auto found = std::ranges::find(read.priors, number, &Prior::number);
-    return found == read.priors.end() ? 0 : found->relative_sigma;
-  };
-  EXPECT_EQ(sigmaOf("kt"), 0.02);
-  EXPECT_EQ(sigmaOf("resistance"), 0.15) << "of every bench";
-  EXPECT_EQ(sigmaOf("arm_mass"), 0.3);
-  EXPECT_EQ(plain.goal_order, GoalOrder::kBeforeRead);
-  EXPECT_EQ(read.goal_order, GoalOrder::kAfterRead);
-  EXPECT_EQ(read.pendulum.gravity_m_s2, 0);
-  EXPECT_EQ(read.logs[0].time_s.front(), 0.1);
-  EXPECT_EQ(read.logs[0].time_s.back(), 2.2);
-  EXPECT_NEAR(read.logs[0].position_rad[0], plain.logs[0].position_rad[8] - 0.05, 1e-9);
-  EXPECT_NEAR(read.logs[0].goal_rad[0], plain.logs[0].goal_rad[8] - 0.05, 1e-9);
-  for (const char* const key : {"kp=32", "payload_kg=1", "joint=Elbow", "torque_on=1", "load_raw=load_bit10"}) try {
-      (void)declaring({key});
-      ADD_FAILURE() << key;
-    } catch (const BadInput& refused) {
-      EXPECT_THAT(refused.what(), HasSubstr(messages::kOfCsv));
-    }
-}
-
-TEST_F(RawFolderTest, ASupplyIsDeclaredWhereBamLogsHaveNone) {
-  const std::string with = bamText(zero, zero, "\"kp\": 8, \"motor\": \"mx28\"");
-  write(folder / "a.json", with);
-  const auto declared = [&] {
-    return readRawFolder({.folder = folder / "", .model = "", .declared = {"supply_V=11.1"}, .held_out = {}}).given;
-  };
-  EXPECT_THROW((void)declared(), BadInput) << "the log has one";
-  write(folder / "b.json", replaced(with, "\"vin\": 12, ", ""));
-  const Case read = declared();
-  EXPECT_EQ(supplyOf(read, read.logs[0]), 12);
-  EXPECT_EQ(supplyOf(read, read.logs[1]), 11.1);
-}
-
-TEST_F(RawFolderTest, AnotherMotorIsDeclaredInFull) {
-  write(folder / "a.json", bamText(zero, zero));  // an MX-106
-  const auto declaring = [&](const std::vector<std::string>& words) -> std::string {
-    try {
-      (void)readRawFolder({.folder = folder / "", .model = "", .declared = words, .held_out = {}});
-    } catch (const BadInput& refused) {
-      return refused.what();
-    }
-    return "";
-  };
-  const std::string sheet = "stall_Nm_at_12V=8.4", current = "stall_A_at_12V=5.2", gain = "duty_per_kp_per_rad=0.158";
-  EXPECT_EQ(declaring({sheet, current, gain}), "");
-  EXPECT_THAT(declaring({"armature_kgm2=0.03"}),
-              testing::AllOf(HasSubstr(messages::kNotDeclared), HasSubstr("stall_Nm"), HasSubstr("duty_per_kp")));
-  EXPECT_THAT(declaring({sheet, gain}), HasSubstr("stall_A"));
-}
-
-TEST_F(RawFolderTest, TheArmatureOfAnotherServoIsNoted) {
-  const TemporaryFolder csv;
-  write(folder / "a.json", bamText(zero, zero));
-  write(csv / "a.csv", csvOf(sineRows()));
-  const auto notesFor = [&](const std::string& from, std::vector<std::string> words) {
-    for (const char* const one : {"stall_Nm_at_12V=8.4", "stall_A_at_12V=5.2", "duty_per_kp_per_rad=0.158"})
-      words.emplace_back(one);
-    return readRawFolder({.folder = from, .model = "", .declared = words, .held_out = {}}).notes;
-  };
-  const auto is_noted = Contains(HasSubstr(messages::kArmatureAssumed));
-  EXPECT_THAT(notesFor(folder / "", {}), is_noted);
-  EXPECT_THAT(notesFor(folder / "", {"armature_kgm2=0.02"}), testing::Not(is_noted));
-  EXPECT_THAT(notesFor(csv / "", {"kp=32", "payload_kg=0.3", "length_m=0.17", "supply_V=12"}), is_noted);
 }
 
 TEST_F(RawFolderTest, FalseReadingsStayUntilTheWrittenCaseIsRead) {
