@@ -348,7 +348,7 @@ inline constexpr std::size_t kLimbsOfAll = 3;
 /// Chance that the best of all names of a robot's mechanics earns its place in recordings of a right model.
 inline constexpr double kMechanicalChance = 0.01;
 /// Candidates of the linear screen that are fitted, and those of each limb in any case; solver iterations; candidates
-/// of a limb that may fail a log or the held-out ones. A matter of run time.
+/// of a limb, or of the floor, that may fail a log or the held-out ones. A matter of run time.
 inline constexpr std::size_t kFittedMechanics = 8, kFittedOfLimb = 3, kRefusedOfLimb = 2;
 inline constexpr int kMechanicsIterations = 8;
 /// Torque ripples a turn from which they are looked for in a robot's joint, which moves by a sixth of a turn: fewer

@@ -29,7 +29,7 @@ struct OtherEngine {
   EngineNumber number = EngineNumber::kNone;
 };
 
-/// The same model as other engines solve it, and its contacts as they may understand them.
+/// The same model as other engines solve it, and with other numbers of its contacts.
 std::vector<OtherEngine> otherEngines(const FloorHypothesis& about) {
   std::vector<OtherEngine> out;
   const auto add = [&](auto change, EngineNumber number = EngineNumber::kNone) {

@@ -29,8 +29,7 @@ struct FloorModel {
   ImuDeviation imu = {};
 };
 
-/// Numbers of which engines have their own understanding: what they differ by is noise, but not for an effect that is
-/// this number.
+/// Numbers that differ among engines: the difference is noise, but not for an effect that is this number.
 enum class EngineNumber : std::uint8_t { kNone, kContactTime };
 
 /// Simulated logs, in the order of FloorResiduals::logs().
