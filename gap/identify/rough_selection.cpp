@@ -71,6 +71,19 @@ bool RoughSelection::worsensHeldOut(const FittedModel& with) const {
   return isWorse(error(model_), error(with), floorOf(study_.evidence));
 }
 
+// With one gain and no load column a scale of all torques is free: a scale of the gain moved the one friction of a
+// joint to the end of its range, and without that friction nothing was left that explained its logs.
+bool RoughSelection::accept(FittedModel with) {
+  const std::size_t effects = with.effects.size();
+  const FittedModel before = std::exchange(model_, std::move(with));
+  dropNeedless();
+  dropAtBounds();
+  const bool helps = model_.effects.size() == effects ||
+                     crossValidate(leaveOneOutErrors(before), leaveOneOutErrors(model_), floor_rad_).improves();
+  if (!helps) model_ = before;
+  return helps;
+}
+
 bool RoughSelection::addRareEffect() {
   const std::vector<FittedModel> candidates = shortlist(model_, Screen{model_, candidates_}, true);
   std::vector<Tested> helping = testRareEffects(candidates);
@@ -80,14 +93,11 @@ bool RoughSelection::addRareEffect() {
        best = std::ranges::find_if(helping, may_be_added)) {
     const twin::EffectInfo& added = *best->model->effects.back().info;
     FittedModel with = refitWithDiscrepancy(best->model->effects, *best->model);
-    if (isAtItsBound(with, added)) {
+    if (isAtItsBound(with, added) || !accept(std::move(with))) {
       helping.erase(best);
       continue;
     }
     noteRivals(helping, &*best);
-    model_ = std::move(with);
-    dropNeedless();
-    dropAtBounds();
     if (!has(model_.effects, added)) rivals_.clear();  // of an effect that is gone
     return true;
   }

@@ -26,6 +26,10 @@ class RoughSelection {
 
   void run();
   [[nodiscard]] Identification result() const;
+  /// Replaces the model by `with`, less what is needless there or at the end of its range. False: that took away so
+  /// much that left-out logs are predicted no better than before, and the model stays.
+  [[nodiscard]] bool accept(FittedModel with);
+  [[nodiscard]] const FittedModel& model() const { return model_; }
 
  private:
   /// A rarer effect that reduces the mean of the leave-one-out errors.

@@ -1,4 +1,6 @@
 // A servo that nobody has measured, on a bench where more happens than any model knows: what is named all the same.
+#include "gap/identify/rough_selection.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -171,6 +173,25 @@ TEST(RoughNumbers, AnEffectAtTheEndOfItsRangeIsNotNamed) {
 
 bool isShown(const Case& given, std::string_view id) {
   return std::ranges::none_of(effectsNotShown(given), [&](const twin::EffectInfo* effect) { return effect->id == id; });
+}
+
+TEST(RoughNumbers, AnAdditionThatEndsTheFrictionIsRefused) {
+  const Case bench = manualBench();
+  Case given = measuredIn({}, bench, withEffect(bench, "coulomb", "friction", 0.08));
+  for (std::size_t i = 0; i < given.logs.size(); ++i) given.logs[i].held_out = i % 2 == 1;
+  const Study study{given, {.runs = 4, .disturbance = {}}};
+  const IdentifyOptions options;
+  const FittedModel bare = baselineAlone(study, Nuisance::kFree);
+  const twin::EffectInfo &friction = *twin::findEffect("coulomb"), &scale = *twin::findEffect("kp_scale");
+  RoughSelection selection{study, options, {{&friction}}, bare};
+  FittedModel with = refitWithDiscrepancy({{&friction}, {&scale}}, selection.model());
+  const auto& unknowns = with.problem.unknowns();
+  const auto dry = std::ranges::find(unknowns, "coulomb.friction", &Unknown::name);
+  ASSERT_NE(dry, unknowns.end());
+  with.fit.x[dry - unknowns.begin()] = dry->toSearch(dry->high);
+  EXPECT_FALSE(selection.accept(std::move(with)));
+  EXPECT_EQ(idsOf(selection.model().effects), std::vector<std::string>{"coulomb"});
+  EXPECT_NEAR(valueOf(*selection.model().hypothesis().find("coulomb"), "friction"), 0.08, 0.02);
 }
 
 TEST(EffectsNotShown, AreThoseWithNoneOfTheirFeatures) {
