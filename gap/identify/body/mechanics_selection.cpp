@@ -117,9 +117,9 @@ bool ForwardSelection::step(MechanicsSelection& out) {
   if (open.empty()) return false;
   excess_ = excessOf(robot_, with(robot_, effectsOf(out.found)));
   std::vector<MechanicsEntry> entries = nextMechanics(robot_, out.found, open, excess_, refused_);
-  const bool are_of_all =
-      std::ranges::all_of(entries, [](const auto& entry) { return entry.placed().joints.size() == kJoints; });
-  const std::size_t refused_before = refused_.size();
+  const auto is_of_all = [](const MechanicsEntry& entry) { return entry.placed().joints.size() == kJoints; };
+  const bool are_of_all = std::ranges::all_of(entries, is_of_all);
+  std::size_t refused_of_all = 0;
   std::vector<std::size_t> refused_in(robot_.limbs().size()), changed;
   const auto dropLimbs = [&](const auto& is_done) {
     std::erase_if(entries,
@@ -136,17 +136,21 @@ bool ForwardSelection::step(MechanicsSelection& out) {
       numbers_.push_back(placed);
       renewRows(out, limbs);
     } else if (!is_number) {
+      const bool is_all = is_of_all(*best);  // says nothing against effects of single joints
       has_added = add(out, foundOf(*best, entries));
-      for (const std::size_t limb : limbs) ++refused_in[limb];
+      if (is_all) ++refused_of_all;
+      if (!is_all)
+        for (const std::size_t limb : limbs) ++refused_in[limb];
     }
     if (has_added || is_new_number) changed.insert(changed.end(), limbs.begin(), limbs.end());
     // What is left by a number that has been moved already is of that number: it has no other name.
     const bool is_done = has_added || is_number;
     dropLimbs(
         [&](std::size_t limb) { return is_done ? isIn(limb, limbs) : refused_in[limb] >= thresholds::kRefusedOfLimb; });
+    if (refused_of_all >= thresholds::kRefusedOfLimb) std::erase_if(entries, is_of_all);
   }
   // Where logs refuse the effects of all joints, those of single ones come next.
-  if (are_of_all && changed.empty() && refused_.size() > refused_before) return true;
+  if (are_of_all && changed.empty() && refused_of_all > 0) return true;
   for (const std::size_t limb : open) {
     const auto is_left = [&](const auto& entry) {
       return isAcceptable(entry) && isInOneOf(robot_, entry.placed(), {limb});
