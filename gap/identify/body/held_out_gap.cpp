@@ -6,11 +6,11 @@
 #include "gap/localize/body/limb_residuals.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plant/body/resting_imu.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr std::size_t kRepeats = 2;
 constexpr Eigen::Index kFirstOfGyro = kJoints;  // its three columns, then those of the accelerometer
 
 /// Positions of all joints, then the axes of gyroscope and accelerometer: rows of one log x signals.
@@ -104,7 +104,7 @@ HeldOutGap heldOutGap(const BodyCase& given, const FloorModel& declared, const F
   std::vector<std::size_t> logs = clampedLogs(given, true);
   for (const std::size_t log : floorLogs(given, true)) logs.push_back(log);
   const HeldOutSimulation simulation{given};
-  constexpr std::size_t kRuns = 2 + kRepeats;  // before, after, and repeats of after
+  constexpr std::size_t kRuns = 2 + thresholds::kHeldOutRepeats;  // before, after, and repeats of after
   std::vector<Signals> runs(kRuns * logs.size());
   forEach(runs.size(), [&](std::size_t i) {
     const std::size_t log = i / kRuns, run = i % kRuns;
