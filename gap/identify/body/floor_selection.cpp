@@ -92,7 +92,11 @@ class FloorSearch {
     const FloorCandidate& best = candidates.front();
     const double least =
         std::max(thresholds::kFloorShare * excessOf(now), thresholds::kMechanicsRemainder * excess_of_none_);
-    if (!(earnsName(best) && cost - best.fit.cost > least)) return Step::kNothing;
+    if (!(earnsName(best) && cost - best.fit.cost > least)) {
+      // More likely than nothing, and no name: it leaves too much, or engines may have this number themselves.
+      if (isLikely(best.evidence)) out_.tried.push_back(best.fit.set.back());
+      return Step::kNothing;
+    }
     if (isOfLimb(*best.fit.set.back().effect, ignored_)) {
       // What the limb does explains more than any other name would.
       out_.tried.push_back(best.fit.set.back());
@@ -112,9 +116,8 @@ class FloorSearch {
     out_.rows_after = rowsWith(residuals_, setOf(out_.found));
     return Step::kFound;
   }
-  static bool earnsName(const FloorCandidate& one) {
-    return one.name_evidence > -2 * std::log(thresholds::kMechanicalChance);
-  }
+  static bool isLikely(double evidence) { return evidence > -2 * std::log(thresholds::kMechanicalChance); }
+  static bool earnsName(const FloorCandidate& one) { return isLikely(one.name_evidence); }
 
   /// A log, for fits or held out, contradicts what the second set has beyond the first: under the noise of the second,
   /// whose chaos and engines may be others. How much is left takes no name away: engines differ, and a walk forgets its

@@ -32,6 +32,19 @@ std::string placeText(const FloorEffect& effect) {
   return std::string{effect.id} + " at " + text::joined(loadedJointsAt(effect.at), " and ");
 }
 
+std::string effectText(const FoundFloor& one) {
+  std::string text = placeText(*one.placed.effect);
+  for (const FloorQuantity& of : quantitiesOf(one)) {
+    text += ", " + of.key;
+    for (std::size_t i = 0; i < of.values.size(); ++i) {
+      text += text::formatted(" %.4g", of.values[i]);
+      if (i < of.half_widths.size()) text += text::formatted(" +-%.2g", of.half_widths[i]);
+    }
+    if (!of.unit.empty()) text += " " + of.unit;
+  }
+  return text + "\n";
+}
+
 nlohmann::ordered_json nameJson(const FloorEffect& effect) {
   const std::vector<std::string_view> at = loadedJointsAt(effect.at);
   nlohmann::ordered_json out{{"id", effect.id}, {"at", effect.at}};
@@ -44,20 +57,11 @@ nlohmann::ordered_json nameJson(const FloorEffect& effect) {
 std::string asText(const FloorSelection& selection) {
   std::string text;
   for (const FoundFloor& one : selection.found) {
-    text += "  " + placeText(*one.placed.effect);
-    for (const FloorQuantity& of : quantitiesOf(one)) {
-      text += ", " + of.key;
-      for (std::size_t i = 0; i < of.values.size(); ++i) {
-        text += text::formatted(" %.4g", of.values[i]);
-        if (i < of.half_widths.size()) text += text::formatted(" +-%.2g", of.half_widths[i]);
-      }
-      if (!of.unit.empty()) text += " " + of.unit;
-    }
-    text += "\n";
+    text += "  " + effectText(one);
     for (const PlacedFloor& rival : one.rivals) text += "  or " + placeText(*rival.effect) + "\n";
   }
   for (const PlacedFloor& one : selection.tried)
-    text += "  not named, as a log or a limb contradicts it: " + placeText(*one.effect) + "\n";
+    text += kNotNamed + effectText({.placed = one, .sigmas = {}, .rivals = {}});
   return text;
 }
 

@@ -8,6 +8,9 @@
 
 namespace darwinop::gap {
 
+/// Begins the line of an effect that explains more than chance and has no name.
+inline constexpr const char* kNotNamed = "  nearest, and no name: ";
+
 /// Lines of the answer.
 std::string asText(const FloorSelection& selection);
 /// Elements of `effects` and of `ambiguity` of an answer.

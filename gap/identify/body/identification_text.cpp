@@ -145,7 +145,7 @@ std::string asText(const BodyIdentification& found) {
 }
 
 nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& found) {
-  Object effects = Object::array(), ambiguity = Object::array(), where = Object::array();
+  Object effects = Object::array(), candidates = effects, ambiguity = effects, where = effects;
   for (const SensorSelection& one : found.sensors) {
     for (const SensorEffect* const effect : one.found.effects) effects.push_back(effectJson(one.found, *effect));
     if (!one.rivals.empty()) ambiguity.push_back(alternativesOf(one));
@@ -160,6 +160,10 @@ nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& f
     effects.push_back(effectJson(one));
     if (!one.rivals.empty()) ambiguity.push_back(alternativesOf(one));
   }
+  for (const PlacedMechanics& one : found.mechanics.tried)
+    candidates.push_back(effectJson({.placed = one, .sigmas = {}, .rivals = {}}, limbs));
+  for (const PlacedFloor& one : found.floor.tried)
+    candidates.push_back(effectJson({.placed = one, .sigmas = {}, .rivals = {}}));
   for (const BodyRow& row : found.table.rows)
     if (row.open)
       where.push_back(
@@ -173,6 +177,7 @@ nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& f
   return {{"case", given.name},
           {"verdict", nameOf(found.verdict)},
           {"effects", effects},
+          {"candidates", candidates},
           {"ambiguity", ambiguity},
           {"where", where},
           {"remainder", remainder},

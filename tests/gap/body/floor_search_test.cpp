@@ -79,6 +79,21 @@ TEST(FloorSearch, AnEncoderOfAnAnkleIsNotNamedAsAFloorThatSlopes) {
   }
 }
 
+TEST(FloorSearch, AnEffectThatLeavesTooMuchForANameIsReportedAsNearest) {
+  FloorModel sloped = shippedOnFloor();
+  sloped.robot.floor.tilt_rad = {0.03, -0.01};
+  BodyCase given = standingRobot(sloped);
+  Rng rng{7};
+  for (Trajectory& log : given.joints.logs)  // what no effect of the floor does
+    if (log.joint == Joint::kShoulderR)
+      for (double& position : log.position_rad) position += 0.1 * rng.normal();
+  const FloorSelection answer = identifyFloor(given, shippedOnFloor(), {}, 0);
+  EXPECT_THAT(answer.found, IsEmpty());
+  ASSERT_THAT(answer.tried, SizeIs(1));
+  EXPECT_EQ(answer.tried.front().effect->id, "floor_tilt");
+  EXPECT_THAT(asText(answer), testing::HasSubstr(std::string{kNotNamed} + "floor_tilt at floor, tilt 0.03"));
+}
+
 TEST(FloorSearch, ANameThatAHeldOutLogContradictsDoesNotEndTheSearch) {
   FloorModel sloped = shippedOnFloor();
   sloped.robot.floor.tilt_rad = {0.03, -0.01};
