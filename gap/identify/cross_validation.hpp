@@ -17,8 +17,8 @@ struct CrossValidation {
   [[nodiscard]] bool improves() const { return logs >= kFewestLogs && mean > 2 * error; }
 };
 CrossValidation crossValidate(const FittedModel& without, const FittedModel& with);
-/// The same for errors that are known already. `floor_rad` is added to both, in quadrature: what the encoder cannot
-/// resolve is no difference.
+/// The same for errors that are known already. `floor_rad` is added to both, in quadrature: it is what the
+/// encoder cannot resolve.
 CrossValidation crossValidate(const std::vector<double>& without, const std::vector<double>& with, double floor_rad);
 
 /// Fitted logs that repeat each other, as indices of the evidence: they are one piece of evidence.

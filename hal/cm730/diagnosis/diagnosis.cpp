@@ -19,8 +19,6 @@ double ms(Nanos time) {
   return static_cast<double>(time.count()) * 1e-6;
 }
 
-constexpr const char* kUndelayed = "end other programs on the robot's computer and connect the board without a hub";
-
 void addRoundTrip(const RobotFacts& facts, Findings& rows) {
   const RoundTrip& measured = facts.round_trip;
   if (measured.reads == 0) {
