@@ -176,6 +176,7 @@ stop_sent_controller() {
 }
 
 # That of the runtime; or without one a program that has the serial port: a controller that hosts its own loop.
+# shellcheck disable=SC2012  # names under /proc are numbers
 other_driver() {
   if daemon_ready; then
     robot_driver
