@@ -50,6 +50,7 @@ struct ScriptedRobot {
     for (std::size_t i = 0; i < kJoints; ++i) {
       seen.joint[i].motion.received();
       seen.joint[i].position = Rad{0.25};
+      seen.joint[i].driven = true;
     }
     Reply reply;
     for (std::size_t i = 0; i < request.positions.size(); ++i) (void)reply.positions.add(2500);

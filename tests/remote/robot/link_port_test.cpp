@@ -111,13 +111,14 @@ TEST(RemoteLinkPort, HoldsASlowJointAtItsPosition) {
   EXPECT_EQ(robot.published->back().joint[index(Joint::kHead)].goal, Rad{0.35}) << "a joint at rest must not sag";
 }
 
-TEST(RemoteLinkPort, HoldsTheStartPoseDuringTheMoveToIt) {
+TEST(RemoteLinkPort, HoldsWhereItIsDuringTheMoveToTheStartPose) {
   PortOfAWatchedLink robot;
   (void)robot.neck({.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = 652});
   robot.seen->safety.state = State::kStarting;
+  robot.seen->joint[index(Joint::kNeck)].commanded = Rad{0.4};
   robot.port.hold();
-  EXPECT_EQ(robot.published->back().joint[index(Joint::kNeck)].goal, radFromTicks(row(Joint::kNeck).start))
-      << "the goal of 1 rad was that of the previous client";
+  EXPECT_TRUE(robot.published->back().hold);
+  EXPECT_EQ(robot.published->back().joint[index(Joint::kNeck)].goal, Rad{0.4}) << "1 rad was the client's";
 }
 
 TEST(RemoteLinkPort, StartsEachNewClientWithoutEarlierCommands) {
