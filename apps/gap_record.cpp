@@ -116,6 +116,7 @@ std::vector<std::string> Recorder::look(const PlannedRecording& plan, double ses
 bool Recorder::record(const PlannedRecording& plan, std::size_t number, std::size_t of) {
   std::cout << text::formatted("\n%zu of %zu: %s, ", number, of, plan.file.c_str()) << plan.experiment << '\n';
   if (!is_simulated_) std::cout << plan.placing << '\n';
+  std::cout.flush();  // the experiment takes minutes
   while (true) {
     if (asks() && ask("Press Enter to start, q to end: ") == Answer::kStop) return false;
     // The servos of a simulated robot are cold again each time.
