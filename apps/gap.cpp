@@ -71,7 +71,7 @@ void addBenchmark(CLI::App& parent, gap::Arguments& given, std::vector<Row>& row
 std::string caseFolder(const std::string& named) {
   const std::filesystem::path path{named};
   if (!std::filesystem::is_regular_file(path)) return named;
-  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+  std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
   if (path.filename() == "case.json") return folder;
   throw CLI::ValidationError{"CASE", named + " is a file; a case is a folder, here perhaps " + folder};
 }

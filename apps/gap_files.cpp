@@ -65,7 +65,7 @@ void requireNew(const std::string& path) {
 }
 
 std::string newCaseFile(const std::string& folder) {
-  const std::string file = fs::path{folder} / "case.json";
+  std::string file = fs::path{folder} / "case.json";
   requireNew(file);
   return file;
 }

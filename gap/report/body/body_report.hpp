@@ -9,7 +9,7 @@
 
 namespace darwinop::gap {
 
-struct BodyReport {
+struct BodyReport {  // NOLINT(bugprone-exception-escape): no constructor of the JSON library throws
   const BodyCase* given = nullptr;
   const BodyIdentification* found = nullptr;
   nlohmann::ordered_json answer;  // as `run --json` has it
