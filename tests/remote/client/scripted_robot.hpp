@@ -18,6 +18,7 @@ struct ScriptedRobot {
   bool real_time = false;
   std::atomic<bool> silent{false};
   std::atomic<Nanos> delay{Nanos{0}};  // of the next reply
+  bool takes_over = false;             // and no joint is driven yet
   bool delay_is_held = false;          // its loop stands still during the delay
   std::uint64_t first_cycle = 1000;
   std::string must_end, end_request;
@@ -43,14 +44,14 @@ struct ScriptedRobot {
     seen.cycle = cycle;
     seen.time_ns = static_cast<std::int64_t>(seen.cycle) * 16'000'000;
     seen.period_ns = 16'000'000;
-    seen.safety.state = State::kDriven;
+    seen.safety.state = takes_over ? State::kTakingOver : State::kDriven;
     seen.board.motion.received();
     seen.board.buttons = 2;
     seen.board.voltage = Volt{11.5};
     for (std::size_t i = 0; i < kJoints; ++i) {
       seen.joint[i].motion.received();
       seen.joint[i].position = Rad{0.25};
-      seen.joint[i].driven = true;
+      seen.joint[i].driven = !takes_over;
     }
     Reply reply;
     for (std::size_t i = 0; i < request.positions.size(); ++i) (void)reply.positions.add(2500);

@@ -281,6 +281,19 @@ TEST_F(TcpLinkTest, SendsAllCommandsAfterAReconnectAndStartsAtThePresentPosition
   EXPECT_EQ(sent, 1) << "a new connection gets it once";
 }
 
+TEST_F(TcpLinkTest, ARobotThatHadNoTorqueYetMayBeStartedAfterAReconnect) {
+  ScriptedRobot robot;
+  robot.takes_over = true;
+  auto server = std::make_unique<ScriptedServer>(std::ref(robot));
+  const std::uint16_t port = server->port();
+  const auto tcp = link(port);
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(stepOf(*tcp));
+  server.reset();
+  ScriptedServer again{std::ref(robot), port};
+  ASSERT_TRUE(stepOf(*tcp, 3));
+  for (const Request& request : again.requests()) EXPECT_FALSE(request.extension.only_if_up);
+}
+
 /// The server takes over with the first request, before anything is published.
 TEST_F(TcpLinkTest, ALinkThatStartsWhereTheRobotIsSaysSoInItsFirstRequest) {
   for (const bool in_place : {false, true}) {
