@@ -30,20 +30,28 @@ run_tests() {
   sed -n "s/^[0-9]*% tests passed.*/& ($preset)/p" "$log" >"build/$preset.summary"
   [ "$status" != 0 ] || return 0
   [ -z "${DARWINOP_NO_ASLR:-}" ] || launch="setarch -R $launch"
-  sed -n '/^The following tests FAILED/,$s/^\t *[0-9]* - \(.*\) (.*/\1/p' "$log" | while read -r test; do
+  failed_in "$log" | while read -r test; do
     say "to repeat: ${launch}ctest --preset $preset -R '^$test\$'"
   done
   return "$status"
 }
 
+failed_in() { # LOG: names of the tests that failed
+  sed -n '/^The following tests FAILED/,$ { /(Skipped)$/d; s/^\t *[0-9]* - \(.*\) (.*/\1/p; }' "$1"
+}
+
 # run_side_by_side PRESET [ARGUMENT...]: as run_tests, but processes in real time (labels slow, browser) that fail beside
 # others are run once more, one at a time with the background stopped: a computer that others keep busy misses limits of
-# seconds. All other failures are final.
+# seconds. All other failures are final, and so is what a sanitizer reports: it may not come again.
 run_side_by_side() {
   local status=0
   run_tests "$@" && return
-  [ "$(ctest --preset "$1" --rerun-failed -N -LE '^(slow|browser)$' | sed -n 's/^Total Tests: //p')" = 0 ] || return 1
+  ! grep -qE '(ERROR|WARNING): [A-Za-z]*Sanitizer|runtime error:' "build/$1.log" || return 1
+  ctest --preset "$1" -N -L '^(slow|browser)$' | sed -n 's/^ *Test *#[0-9]*: //p' >"build/$1.waiting"
+  [ -n "$(failed_in "build/$1.log")" ] || return 1
+  ! failed_in "build/$1.log" | grep -qvxFf "build/$1.waiting" || return 1
   say "once more, one at a time with nothing in the background"
+  mv "build/$1.summary" "build/$1-side-by-side.summary"
   background_is STOP
   run_tests "$1" --rerun-failed || status=$?
   background_is CONT
