@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# Controllers on the robot: receive, make default, stop, logs. Run: controller_run.sh.
+# Controllers on the robot: receive, make default, stop, logs. Run: controller_run.sh, controller_stop.sh.
 #
 # controllers/NAME is a link to .sent-XXXXXX/NAME, so that a controller is replaced atomically and a running one keeps
 # its files.

@@ -77,3 +77,16 @@ expect_same_disk() {
   cmp -s "$LAB/disk_before" "$LAB/disk_now" ||
     fail "$1; the disk differs: $(diff "$LAB/disk_before" "$LAB/disk_now" | head -20)"
 }
+
+# hold_an_install BUNDLE: runs one in the background that is in its self-test now; $held is its process.
+hold_an_install() {
+  local tries=0
+  : >"$ROBOT/run/hold-self-test"
+  rm -f "$ROBOT/run/self-test-begun"
+  (run_install --bundle "$1"; cp "$LAB/out" "$LAB/held_out"; exit "$status") &
+  held=$!
+  until [ -e "$ROBOT/run/self-test-begun" ]; do
+    [ $((tries += 1)) -lt 500 ] || fail "the install did not come to its self-test"
+    sleep 0.02
+  done
+}
