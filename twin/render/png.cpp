@@ -3,8 +3,6 @@
 
 #include <lodepng.h>
 
-#include <cerrno>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,11 +12,8 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr unsigned kOpenError = 79;  // lodepng: failed to open the file for writing
-
 [[noreturn]] void fail(const char* what, const std::string& file, unsigned error) {
-  const char* const why = error == kOpenError && errno != 0 ? std::strerror(errno) : lodepng_error_text(error);
-  throw std::runtime_error(std::string{"cannot "} + what + " the picture " + file + ": " + why);
+  throw std::runtime_error(std::string{"cannot "} + what + " the picture " + file + ": " + lodepng_error_text(error));
 }
 
 }  // namespace

@@ -33,9 +33,14 @@ int plotCommand(const PlotOptions& options) {
   const Figure figure = makeFigure(all, options);
   for (const std::string& note : figure.notes) std::cerr << "note: " << note << '\n';
   const std::string name = nameOf(options);
-  writeTextFile(name + ".html", htmlPage(figure));
-  std::cout << name << ".html\n";
-  const std::string missing = drawPicture(figure, name + ".png");
+  std::string missing;
+  try {
+    writeTextFile(name + ".html", htmlPage(figure));
+    std::cout << name << ".html\n";
+    missing = drawPicture(figure, name + ".png");
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string{error.what()} + "; choose another path with -o");
+  }
   if (missing.empty())
     std::cout << name << ".png\n";
   else

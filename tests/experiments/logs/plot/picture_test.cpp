@@ -13,10 +13,10 @@
 #include "experiments/logs/plot/gnuplot.hpp"
 #include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/plot.hpp"
-#include "support/as_nobody.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
+#include "support/unprivileged.hpp"
 
 namespace darwinop::plot {
 namespace {
@@ -145,9 +145,9 @@ TEST(Picture, ReplacesAFileInAFolderThatIsNotWritable) {
   DARWINOP_NEEDS_GNUPLOT();
   const TemporaryFolder folder;
   if (geteuid() == 0) {
-    ASSERT_EQ(chown((folder / ".").c_str(), AsNobody::kNobody, AsNobody::kNobody), 0);
+    ASSERT_EQ(chown((folder / ".").c_str(), Unprivileged::kUser, Unprivileged::kUser), 0);
   }
-  const AsNobody nobody;
+  const Unprivileged user;
   std::ofstream{folder / "a.png"} << "old";
   ASSERT_EQ(chmod((folder / ".").c_str(), 0555), 0);
   EXPECT_EQ(drawPicture(waves(1), folder / "a.png"), "");
@@ -203,7 +203,7 @@ TEST_F(PlotCommand, ReportsAWriteError) {
     (void)plotCommand(options(folder_ / "none/a"));
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("none/a.html: No such file or directory"));
+    EXPECT_THAT(error.what(), HasSubstr("none/a.html: No such file or directory; choose another path with -o"));
   }
 }
 
