@@ -21,8 +21,8 @@
 
 #include "hal/descriptor.hpp"
 #include "hal/write_text_file.hpp"
-#include "support/as_nobody.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/unprivileged.hpp"
 
 namespace darwinop::settings {
 namespace {
@@ -127,10 +127,10 @@ TEST(WriteTextFile, WhereThereIsNoRoomTheOldFileStays) {
   EXPECT_EQ(now.st_mode & 0777, 0640U);
 }
 
-struct WriteAsNobody : testing::Test {
+struct WriteUnprivileged : testing::Test {
   void SetUp() override {
     if (geteuid() != 0) return;
-    ASSERT_EQ(chown((folder / ".").c_str(), AsNobody::kNobody, AsNobody::kNobody), 0);
+    ASSERT_EQ(chown((folder / ".").c_str(), Unprivileged::kUser, Unprivileged::kUser), 0);
   }
   static mode_t modeOf(const std::string& path) {
     struct stat about {};
@@ -139,8 +139,8 @@ struct WriteAsNobody : testing::Test {
   TemporaryFolder folder;
 };
 
-TEST_F(WriteAsNobody, AProtectedFileIsRefused) {
-  const AsNobody nobody;
+TEST_F(WriteUnprivileged, AProtectedFileIsRefused) {
+  const Unprivileged user;
   writeTextFile(folder / "a.txt", "old");
   ASSERT_EQ(chmod((folder / "a.txt").c_str(), 0444), 0);
   EXPECT_THAT([&] { writeTextFile(folder / "a.txt", "new"); },
@@ -148,8 +148,8 @@ TEST_F(WriteAsNobody, AProtectedFileIsRefused) {
   EXPECT_EQ(readTextFile(folder / "a.txt"), "old");
 }
 
-TEST_F(WriteAsNobody, ANewFileHasTheRightsThatTheUmaskLeaves) {
-  const AsNobody nobody;
+TEST_F(WriteUnprivileged, ANewFileHasTheRightsThatTheUmaskLeaves) {
+  const Unprivileged user;
   for (const mode_t mask : {077U, 022U, 002U}) {
     const mode_t before = umask(mask);
     writeTextFile(folder / "new.txt", "text");

@@ -12,8 +12,8 @@
 #include "apps/calibrate/opened_robot.hpp"
 #include "hal/replace_file.hpp"
 #include "hal/text_file.hpp"
-#include "support/as_nobody.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/unprivileged.hpp"
 
 namespace darwinop::calibrate {
 namespace {
@@ -89,9 +89,9 @@ TEST(ReplaceKeepingOld, LeavesNothingBehindWhereItCannotWrite) {
 TEST(IniEdit, AFileOfAnotherOwnerIsRefusedBeforeAnythingIsMeasured) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can make a file of another owner";
   const TemporaryFolder folder;
-  ASSERT_EQ(chown((folder / ".").c_str(), AsNobody::kNobody, AsNobody::kNobody), 0);
+  ASSERT_EQ(chown((folder / ".").c_str(), Unprivileged::kUser, Unprivileged::kUser), 0);
   write(folder / "robot.ini", kText);
-  const AsNobody nobody;
+  const Unprivileged user;
   EXPECT_THAT([&] { requireReplaceable(folder / "robot.ini"); },
               testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(kCannotWrite + (folder / "robot.ini"))));
   requireReplaceable(folder / "new.ini");
