@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 
 #include "connect/setting.hpp"
@@ -73,7 +74,7 @@ std::string caseFolder(const std::string& named) {
   if (!std::filesystem::is_regular_file(path)) return named;
   std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
   if (path.filename() == "case.json") return folder;
-  throw CLI::ValidationError{"CASE", named + " is a file; a case is a folder, here perhaps " + folder};
+  throw CLI::ValidationError{"CASE", named + " is a file, but a case is a folder; did you mean " + folder + "?"};
 }
 
 std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {

@@ -31,7 +31,7 @@
 namespace darwinop::runtime {
 namespace {
 
-constexpr int kLeftAlone = 1;
+constexpr int kUnmonitored = 1;
 
 volatile sig_atomic_t child_pid = 0;
 
@@ -160,17 +160,17 @@ int runController(const RunRequest& request) {
     return Exchange::attach(files.exchange, Exchange::Access::kRead);
   };
   auto embedded = observer.path().empty() ? std::nullopt : tryAttach(attach, RuntimeFiles{observer.path()});
-  bool left_alone = false;  // nothing watches a robot whose joints may have torque
+  bool unmonitored = false;  // joints may have torque, and no loop is left
   if (embedded) {
-    left_alone = embedded->leftTorque(ending.isNormal());
-    if (left_alone)
+    unmonitored = embedded->leftTorque(ending.isNormal());
+    if (unmonitored)
       std::cerr << messages::kNoLoopLeft
                 << ". Hold the robot: RESET on its back releases torque; a new `darwinop run` drives it again"
                 << std::endl;
     embedded->fromTheBeginning();
     embedded->print();
   } else if (daemon && daemon->driven()) {
-    left_alone = daemon->daemonDied();  // the controller has said so
+    unmonitored = daemon->daemonDied();  // the controller has said so
     daemon->print();
   } else {
     std::cout << '\n'
@@ -178,7 +178,7 @@ int runController(const RunRequest& request) {
                                              : reportText({}, {}))
               << reportLine({}, {}) << std::endl;
   }
-  return left_alone && ending.shellStatus() == 0 ? kLeftAlone : ending.shellStatus();
+  return unmonitored && ending.shellStatus() == 0 ? kUnmonitored : ending.shellStatus();
 }
 
 }  // namespace darwinop::runtime

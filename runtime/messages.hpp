@@ -21,8 +21,7 @@ inline constexpr const char* kRuntimeEnds = "the runtime was requested to end; s
 inline constexpr const char* kRobotReleased =
     "an operator has released the robot: torque is off; start the controller again to take over";
 inline constexpr const char* kRuntimeDied =  // after the pid
-    ") has died; the robot holds its last goals and is not monitored: hold it. Its supervisor brings it to rest; "
-    "without "
+    ") has died; the robot keeps its last goals and is not monitored: hold it. A supervisor brings it to rest; without "
     "one, start a runtime again: darwinop runtime";
 
 // exchange.cpp

@@ -38,7 +38,7 @@ class DriverWatch {
     silence_ = alive || excused || ended_ || session_ == 0 ? Nanos{0} : silence_ + dt;
   }
 
-  /// There is nothing to hold for the session.
+  /// Ends the session: there is nothing to hold.
   void end() noexcept { ended_ = true; }
 
   /// True in the cycle in which a new session is first seen.

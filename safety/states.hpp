@@ -15,7 +15,7 @@ enum class Event : std::uint8_t {
   kBoardFound,        // the board replies
   kRelease,           // a fault, or the end of a session, requires torque off
   kKneel,             // a fault, or the end of a session, requires sitting down, then torque off
-  kHold,              // a fault, or the end of a session, requires holding the last goals
+  kHold,              // a fault, or the end or stop of a session, requires holding the last goals
   kDriverCame,        // a new session begins
   kTakenOver,         // every joint that can be driven is driven; the move to the start pose is next
   kTakenOverInPlace,  // the same, without a move to the start pose

@@ -34,7 +34,7 @@ void addRoundTrip(const RobotFacts& facts, Findings& rows) {
     rows.push_back(Finding::of(Kind::kRoundTripLong,
                                format("%s and the shortest %.2f ms: the computer is busy or a USB hub delays data",
                                       what.c_str(), ms(measured.shortest)),
-                               kUndelayed));
+                               kDelayRemedy));
   else
     rows.push_back(Finding::of(Kind::kRoundTripLong, what + ": the FTDI chip of the port delays data",
                                latencyCommand(facts.port) + "   (permanently: udev rule in docs/doctor.md)"));
@@ -51,9 +51,10 @@ void addCycle(const RobotFacts& facts, Findings& rows) {
     rows.push_back(Finding::of(Kind::kCycleTooLong, what + ": too long",
                                "set the return delays to 0: `darwinop doctor --fix` while torque is off"));
   else
-    rows.push_back(Finding::of(Kind::kCycleTooLong, what + ": too long",
-                               "choose a longer period, or: " +
-                                   (isTimer(facts.round_trip) ? latencyCommand(facts.port) : std::string{kUndelayed})));
+    rows.push_back(
+        Finding::of(Kind::kCycleTooLong, what + ": too long",
+                    "choose a longer period, or: " +
+                        (isTimer(facts.round_trip) ? latencyCommand(facts.port) : std::string{kDelayRemedy})));
 }
 
 constexpr const char* kUpdateServos = "update the firmware of the servos with the vendor's tool";

@@ -19,7 +19,7 @@ inline constexpr Nanos kLatencySignature{8'000'000};
 /// The timer delays all reads alike, so the shortest takes this long too. A busy computer or USB hub delays some.
 inline constexpr Nanos kTimerDelay{7'000'000};
 /// Remedy for delays that are not the timer's.
-inline constexpr const char* kUndelayed =
+inline constexpr const char* kDelayRemedy =
     "end other programs on the robot's computer and connect the board without a hub";
 /// Accepted loss rate. Others measure 0.2 to 0.4 %; a single loss is normal.
 inline constexpr double kLossAlarm = 0.01;

@@ -23,7 +23,7 @@ constexpr Nanos kServoBoot{300'000'000};       // as upstream waits after switch
 constexpr Nanos kStallMargin{10'000'000};      // scheduling delay of a busy PC; not a loss
 constexpr Nanos kMarginOverMedian{3'000'000};  // delay by other programs and USB frames
 
-// Five measurements take half a second: starting programs keep a computer busy for less.
+// By judgement: how long starting programs keep a robot's computer busy was not measured. Five take under a second.
 constexpr int kRoundTripAttempts = 5;
 constexpr Nanos kBetweenAttempts{50'000'000};
 

@@ -30,6 +30,8 @@ TEST(WindowRobotChoice, StartsAControllerOnlyOnItsOwnRobot) {
   }
   EXPECT_THAT(whyNot([] { (void)window::startSimulatedRobot({.robot = "twins"}, {}); }),
               AllOf(HasSubstr("twins"), HasSubstr("twin:MODEL")));
+  EXPECT_THAT(whyNot([] { (void)window::startSimulatedRobot({.robot = "/dev/ttyUSB0"}, {}); }),
+              HasSubstr("darwinop runtime --robot /dev/ttyUSB0"));
 }
 
 TEST(WindowRobotChoice, ObservesOnlyWithAMonitorAlone) {

@@ -291,7 +291,7 @@ TEST(Probe, AComputerThatStaysBusyIsNotTakenForALatencyTimer) {
   const ProbeReport report = probe(busy, ProbeOptions::quick());
   for (const Kind kind : {Kind::kRoundTripLong, Kind::kCycleTooLong}) {
     const Finding row = rowOf(report.findings, kind);
-    EXPECT_THAT(row.remedy, HasSubstr(kUndelayed));
+    EXPECT_THAT(row.remedy, HasSubstr(kDelayRemedy));
     EXPECT_THAT(row.remedy, Not(HasSubstr("latency_timer")));
   }
 }
