@@ -112,6 +112,16 @@ class Home : public Rig {
     return seen;
   }
 
+  /// For a second: a busy computer may miss some cycles before the scripted fault.
+  static bool comesToBeOffline() {
+    auto since = std::chrono::steady_clock::now();
+    return within(seconds{30}, [&since] {
+      const auto now = std::chrono::steady_clock::now();
+      if (sensors().safety.state != State::kOffline) since = now;
+      return now - since > seconds{1};
+    });
+  }
+
   /// Reads board and servos. The port must be free.
   [[nodiscard]] Registers registers() const {
     cm730::SerialPort line{port()};

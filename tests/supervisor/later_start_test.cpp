@@ -59,10 +59,7 @@ TEST_F(Home, AStopOfTheControllerCancelsARestartThatWaitsForARescue) {
   plan("hold");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands", seconds{12})) << supervisor_->output() << controllerLog();
-  ASSERT_TRUE(within(seconds{16}, [&] {
-    const Sensors seen = sensors();
-    return seen.cycle != 0 && seen.safety.state == State::kOffline;
-  }));
+  ASSERT_TRUE(comesToBeOffline());
   kill(status().runtime_pid, SIGKILL);
   ASSERT_TRUE(says(messages::kCannotReachRobot, seconds{10})) << supervisor_->output();
   EXPECT_EQ(ask("--restart-controller"), 0) << said_;

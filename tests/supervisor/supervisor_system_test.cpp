@@ -141,10 +141,7 @@ TEST_F(Home, ARuntimeDeathDuringUnplugIsRescuedAfterReplug) {
   plan("hold");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands", seconds{8})) << supervisor_->output() << controllerLog();
-  ASSERT_TRUE(within(seconds{12}, [&] {
-    const Sensors seen = sensors();
-    return seen.cycle != 0 && seen.safety.state == State::kOffline;
-  }));
+  ASSERT_TRUE(comesToBeOffline());
   kill(status().runtime_pid, SIGKILL);
   ASSERT_TRUE(says(messages::kCannotReachRobot, seconds{10})) << supervisor_->output();
   ASSERT_TRUE(says(messages::kRescued)) << supervisor_->output();

@@ -28,15 +28,6 @@ class UnderTorque : public Home {
     startSupervisor();
     ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
   }
-  /// For a second: a busy computer may miss some cycles before the scripted fault.
-  static bool comesToBeOffline() {
-    auto since = std::chrono::steady_clock::now();
-    return within(seconds{30}, [&since] {
-      const auto now = std::chrono::steady_clock::now();
-      if (sensors().safety.state != State::kOffline) since = now;
-      return now - since > seconds{1};
-    });
-  }
   /// The order, and each later one, fails with the names.
   void expectStopFailsFor(const std::string& joints) {
     EXPECT_EQ(ask("--stop"), 1);

@@ -40,36 +40,36 @@ failed_in() { # LOG: names of the tests that failed
   sed -n '/^The following tests FAILED/,$ { /(Skipped)$/d; s/^\t *[0-9]* - \(.*\) (.*/\1/p; }' "$1"
 }
 
-# run_side_by_side PRESET [ARGUMENT...]: as run_tests, but processes in real time (labels slow, browser) that fail beside
-# others are run once more, one at a time with the background stopped: a computer that others keep busy misses limits of
-# seconds. All other failures are final, and so is what a sanitizer reports: it may not come again.
+# run_side_by_side PRESET [ARGUMENT...]: as run_tests, but processes in real time that fail beside others get two more
+# tries: a computer that others keep busy misses limits of seconds. All other failures are final.
+in_real_time='^(slow|browser|package|python|installer)$'  # labels
 run_side_by_side() {
-  local status=0
   run_tests "$@" && return
-  ! grep -qE '(ERROR|WARNING): [A-Za-z]*Sanitizer|runtime error:' "build/$1.log" || return 1
-  ctest --preset "$1" -N -L '^(slow|browser)$' | sed -n 's/^ *Test *#[0-9]*: //p' >"build/$1.waiting"
   [ -n "$(failed_in "build/$1.log")" ] || return 1
+  ctest --preset "$1" -N -L "$in_real_time" | sed -n 's/^ *Test *#[0-9]*: //p' >"build/$1.waiting"
   ! failed_in "build/$1.log" | grep -qvxFf "build/$1.waiting" || return 1
-  say "once more, one at a time with nothing in the background"
-  mv "build/$1.summary" "build/$1-side-by-side.summary"
-  background_is STOP
-  run_tests "$1" --rerun-failed || status=$?
-  background_is CONT
-  return "$status"
+  cp "build/$1.summary" "build/$1-side-by-side.summary"
+  try_again "$1" 2
 }
 
-# measure_tests PRESET: tests that measure real time, one at a time. Those that fail get two more tries with the background
-# stopped: the host of a virtual machine may take its processors away for milliseconds (steal in /proc/stat), and then the
-# program rightly reports late cycles.
-measure_tests() {
+# measure_tests PRESET: tests that measure real time, one at a time. Those that fail get four more tries: the host of a
+# virtual machine may take its processors away for milliseconds (steal in /proc/stat), and then the program rightly reports
+# late cycles.
+measure_tests() { run_tests "$1" || try_again "$1" 4; }
+
+# try_again PRESET TIMES: what failed, one at a time with the background stopped, until it passes. What a sanitizer reports is
+# final: it may not come again.
+try_again() {
   local status=0
-  run_tests "$1" && return
+  ! sanitizer_reported "$1" || return 1
   say "once more, with nothing in the background; time taken away so far: $(stolen_ms) ms"
   background_is STOP
-  run_tests "$1" --rerun-failed --repeat until-pass:2 || status=$?
+  run_tests "$1" --rerun-failed --repeat "until-pass:$2" || status=$?
   background_is CONT
   say "time taken away now: $(stolen_ms) ms"
+  ! sanitizer_reported "$1" || return 1
   return "$status"
 }
+sanitizer_reported() { grep -qE '(ERROR|WARNING): [A-Za-z]*Sanitizer|runtime error:' "build/$1.log"; }
 stolen_ms() { awk -v hz="$(getconf CLK_TCK)" '$1 == "cpu" { print int(1000 * $9 / hz) }' /proc/stat; }
 background_is() { [ -z "${DARWINOP_AHEAD:-}" ] || kill "-$1" -- "-$DARWINOP_AHEAD" 2>/dev/null || :; } # STOP|CONT

@@ -7,4 +7,4 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 builds
 build_robot i686
-run_tests install -j "$more_places"
+run_side_by_side install -j "$more_places"

@@ -7,4 +7,4 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 no_aslr
 builds
-run_tests tsan -j $((2 * $(nproc)))
+run_side_by_side tsan -j $((2 * $(nproc)))
