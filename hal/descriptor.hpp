@@ -3,17 +3,27 @@
 
 #include <unistd.h>
 
+#include <utility>
+
 namespace darwinop {
 
-struct Descriptor {
-  explicit Descriptor(int opened) : number{opened} {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+/// Movable. Negative: none, as after a failed open().
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_{fd} {}
+  Descriptor(Descriptor&& other) noexcept : fd_{std::exchange(other.fd_, -1)} {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
   ~Descriptor() {
-    if (number >= 0) ::close(number);
+    if (fd_ >= 0) ::close(fd_);
   }
 
-  int number;  // negative: none
+  [[nodiscard]] int fd() const { return fd_; }
+
+ private:
+  int fd_;
 };
 
 }  // namespace darwinop

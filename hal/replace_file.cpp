@@ -41,17 +41,17 @@ int takeModeAndOwner(int file, const std::string& path) {
 std::string writeBeside(const std::string& path, std::string_view text) {
   std::string fresh = path + ".XXXXXX";
   const Descriptor file{mkostemp(fresh.data(), O_CLOEXEC)};
-  int why = file.number < 0 ? errno : takeModeAndOwner(file.number, path);
-  if (why == 0) why = writeWhole(file.number, text);
+  int why = file.fd() < 0 ? errno : takeModeAndOwner(file.fd(), path);
+  if (why == 0) why = writeWhole(file.fd(), text);
   if (why == 0) return fresh;
-  if (file.number >= 0) unlink(fresh.c_str());
+  if (file.fd() >= 0) unlink(fresh.c_str());
   throw std::runtime_error(kCannotWrite + path + ": " + std::strerror(why));
 }
 
 void flushFolder(const std::string& path) {
   const std::string folder = std::filesystem::absolute(path).parent_path();
   const Descriptor file{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-  if (file.number >= 0) fsync(file.number);
+  if (file.fd() >= 0) fsync(file.fd());
 }
 
 std::string linkedFile(const std::string& path) {

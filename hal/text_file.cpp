@@ -35,9 +35,9 @@ const char* kindOf(mode_t mode) {
 std::optional<std::string> readTextFile(const std::string& path, std::size_t longest) {
   // Without O_NONBLOCK the opening of a pipe waits for its writer.
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
-  if (file.number < 0 && errno == ENOENT) return std::nullopt;
+  if (file.fd() < 0 && errno == ENOENT) return std::nullopt;
   struct stat about {};
-  if (file.number < 0 || fstat(file.number, &about) != 0)
+  if (file.fd() < 0 || fstat(file.fd(), &about) != 0)
     refuse(path, std::strerror(errno) + std::string{errno == EACCES ? kRemedy : ""});
   if (isNull(about)) return std::string{};
   if (!S_ISREG(about.st_mode)) refuse(path, kindOf(about.st_mode) + std::string{"; give a regular file"});
@@ -49,7 +49,7 @@ std::optional<std::string> readTextFile(const std::string& path, std::size_t lon
   text.reserve(static_cast<std::size_t>(about.st_size));
   std::array<char, 4096> part{};
   for (;;) {
-    const ssize_t size = ::read(file.number, part.data(), part.size());
+    const ssize_t size = ::read(file.fd(), part.data(), part.size());
     if (size < 0 && errno == EINTR) continue;
     if (size < 0) refuse(path, std::strerror(errno));
     if (size == 0) return text;

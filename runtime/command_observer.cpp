@@ -17,8 +17,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::unique_ptr<CommandObserver> CommandObserver::attach(const std::string& exchange, const ExchangeBlock& block) {
   try {
-    const SharedFile output = openedBlock(exchange);
-    const SharedFile input = openedCommands(commandsPath(exchange), userOf(output));
+    const Descriptor output = openedBlock(exchange);
+    const Descriptor input = openedCommands(commandsPath(exchange), userOf(output));
     if (!hasSize(input, sizeof(CommandBlock))) return nullptr;
     std::unique_ptr<CommandObserver> made{
         new CommandObserver{mapped(input, exchange, sizeof(CommandBlock), PROT_READ)}};

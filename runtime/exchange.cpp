@@ -76,7 +76,7 @@ void Exchange::remove(const std::string& path) noexcept {
 Exchange Exchange::attach(const std::string& path, Access access) {
   Exchange exchange;
   exchange.own_ = false;
-  const SharedFile file = openedBlock(path);
+  const Descriptor file = openedBlock(path);
   bool ours = hasSize(file, sizeof(ExchangeBlock));
   if (ours) {
     exchange.block_file_ = mapped(file, path, sizeof(ExchangeBlock), PROT_READ);
@@ -89,7 +89,7 @@ Exchange Exchange::attach(const std::string& path, Access access) {
                              "; build controller and runtime from "
                              "the same version, then restart the runtime");
   if (access == Access::kRead) return exchange;
-  const SharedFile commands = openedCommands(commandsPath(path), userOf(file));
+  const Descriptor commands = openedCommands(commandsPath(path), userOf(file));
   if (hasSize(commands, sizeof(CommandBlock))) {
     exchange.commands_file_ = mapped(commands, path, sizeof(CommandBlock), PROT_READ | PROT_WRITE);
     exchange.commands_ = static_cast<CommandBlock*>(exchange.commands_file_.data());

@@ -112,7 +112,7 @@ class Exchange {
   std::unique_ptr<ExchangeBlock> private_block_;
   std::unique_ptr<CommandBlock> private_commands_;
   GuardedMapping block_file_, commands_file_;
-  SharedFile own_block_{-1}, own_commands_{-1};  // open in the process that hosts the loop
+  Descriptor own_block_{-1}, own_commands_{-1};  // open in the process that hosts the loop
   ExchangeBlock* block_ = nullptr;
   CommandBlock* commands_ = nullptr;
   bool own_ = true;

@@ -44,7 +44,7 @@ std::string commandsPath(const std::string& path) {
   return path + ".commands";
 }
 
-GuardedMapping mapped(const SharedFile& file, const std::string& path, std::size_t size, int protection) try {
+GuardedMapping mapped(const Descriptor& file, const std::string& path, std::size_t size, int protection) try {
   return GuardedMapping{file.fd(), size, protection};
 } catch (const std::system_error& error) {
   fail("cannot map " + path, error.code().value(), "");
@@ -68,35 +68,35 @@ FreshFile::~FreshFile() {
   if (!placed_) unlink(fresh_.c_str());
 }
 
-SharedFile FreshFile::place() {
+Descriptor FreshFile::place() {
   if (rename(fresh_.c_str(), path_.c_str()) != 0) fail("cannot replace " + path_, errno, whoHas(path_));
   placed_ = true;
   return std::move(file_);
 }
 
-SharedFile FreshFile::opened(std::string& fresh) {
-  SharedFile file{mkostemp(fresh.data(), O_CLOEXEC)};
+Descriptor FreshFile::opened(std::string& fresh) {
+  Descriptor file{mkostemp(fresh.data(), O_CLOEXEC)};
   if (file.fd() < 0) fail("cannot create " + fresh, errno, "is the folder there and yours to write?");
   return file;
 }
 
-bool hasSize(const SharedFile& file, std::size_t size) {
+bool hasSize(const Descriptor& file, std::size_t size) {
   struct stat status {};
   return fstat(file.fd(), &status) == 0 && status.st_size >= static_cast<off_t>(size);
 }
 
-uid_t userOf(const SharedFile& file) {
+uid_t userOf(const Descriptor& file) {
   struct stat status {};
   return fstat(file.fd(), &status) == 0 ? status.st_uid : static_cast<uid_t>(-1);
 }
 
-SharedFile openedBlock(const std::string& path) {
+Descriptor openedBlock(const std::string& path) {
   if (auto file = openShared(path, O_RDONLY, FileOwner::kAny)) return std::move(*file);
   if (errno == EACCES) throw std::runtime_error(notPermitted(path));
   throw std::runtime_error(messages::kNoRuntime + path + " does not exist); " + messages::kStartRuntime);
 }
 
-SharedFile openedCommands(const std::string& path, uid_t user) {
+Descriptor openedCommands(const std::string& path, uid_t user) {
   auto file = openShared(path, O_RDWR, FileOwner::kAny);
   if (!file && errno == EACCES) throw std::runtime_error(notPermitted(path));
   if (!file)

@@ -15,7 +15,7 @@ namespace darwinop::runtime {
 /// Of the commands that belong to the exchange `path`.
 std::string commandsPath(const std::string& path);
 
-GuardedMapping mapped(const SharedFile& file, const std::string& path, std::size_t size, int protection);
+GuardedMapping mapped(const Descriptor& file, const std::string& path, std::size_t size, int protection);
 
 /// A file under construction: created under another name, so that no process maps an incomplete block.
 class FreshFile {
@@ -25,25 +25,25 @@ class FreshFile {
   FreshFile(const FreshFile&) = delete;
   FreshFile& operator=(const FreshFile&) = delete;
 
-  [[nodiscard]] const SharedFile& file() const { return file_; }
+  [[nodiscard]] const Descriptor& file() const { return file_; }
   /// Replaces a file of that name. Processes that map the old file keep it.
-  SharedFile place();
+  Descriptor place();
 
  private:
   /// Under a name that no other user can take beforehand; with mode 0600.
-  static SharedFile opened(std::string& fresh);
+  static Descriptor opened(std::string& fresh);
 
   std::string path_, fresh_;
-  SharedFile file_;
+  Descriptor file_;
   bool placed_ = false;
 };
 
 /// The runtime's output, for reading.
-SharedFile openedBlock(const std::string& path);
+Descriptor openedBlock(const std::string& path);
 /// The runtime's input. `user`: the owner of its output.
-SharedFile openedCommands(const std::string& path, uid_t user);
+Descriptor openedCommands(const std::string& path, uid_t user);
 
-bool hasSize(const SharedFile& file, std::size_t size);
-uid_t userOf(const SharedFile& file);
+bool hasSize(const Descriptor& file, std::size_t size);
+uid_t userOf(const Descriptor& file);
 
 }  // namespace darwinop::runtime

@@ -30,9 +30,9 @@ class ExchangeReader {
   [[nodiscard]] bool sensors(Sensors& into) const;
 
  private:
-  explicit ExchangeReader(SharedFile file) : file_{std::move(file)} {}
+  explicit ExchangeReader(Descriptor file) : file_{std::move(file)} {}
 
-  SharedFile file_;
+  Descriptor file_;
   std::unique_ptr<ExchangeBlock> copy_ = std::make_unique<ExchangeBlock>(), next_ = std::make_unique<ExchangeBlock>();
 };
 

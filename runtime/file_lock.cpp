@@ -21,10 +21,10 @@ namespace {
 
 /// Opens without O_CREAT first: in a sticky folder such as /dev/shm the kernel refuses O_CREAT on a file of
 /// another user, even to root (fs.protected_regular). Nothing: see errno.
-std::optional<SharedFile> openLockFile(const std::string& path, gid_t group, FileOwner owner) {
+std::optional<Descriptor> openLockFile(const std::string& path, gid_t group, FileOwner owner) {
   for (int attempt = 0; attempt < 3; ++attempt) {
     if (auto file = openShared(path, O_RDWR, owner); file || errno != ENOENT) return file;
-    SharedFile fresh{open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0660)};
+    Descriptor fresh{open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0660)};
     if (fresh.fd() >= 0) {
       // Best effort: the lock works for its owner with any permissions.
       if (fchmod(fresh.fd(), 0660) != 0 || fchown(fresh.fd(), static_cast<uid_t>(-1), group) != 0) errno = 0;

@@ -29,8 +29,8 @@ class FileLock {
   static pid_t provenHolder(const std::string& path);
 
  private:
-  explicit FileLock(SharedFile file) : file_{std::move(file)} {}
-  SharedFile file_;
+  explicit FileLock(Descriptor file) : file_{std::move(file)} {}
+  Descriptor file_;
 };
 
 }  // namespace darwinop::runtime

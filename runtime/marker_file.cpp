@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kClear = '0', kSet = '1';
 
-bool isGone(const SharedFile& file) {
+bool isGone(const Descriptor& file) {
   struct stat status {};
   return fstat(file.fd(), &status) != 0 || status.st_nlink == 0;
 }
@@ -35,7 +35,7 @@ MarkerFile::MarkerFile(std::string path) : path_{std::move(path)} {
 }
 
 void MarkerFile::find() {
-  std::optional<SharedFile> found;
+  std::optional<Descriptor> found;
   bool absent = false;
   try {
     found = openShared(path_, O_RDWR, FileOwner::kOwn);
@@ -56,7 +56,7 @@ void MarkerFile::find() {
 /// Another user may take the name again at any moment.
 void MarkerFile::create() {
   for (int attempt = 0; attempt < 3; ++attempt) {
-    SharedFile fresh{open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644)};
+    Descriptor fresh{open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644)};
     if (fresh.fd() >= 0) {
       file_ = std::move(fresh);
       (void)write();
@@ -69,7 +69,7 @@ void MarkerFile::create() {
 void MarkerFile::set(bool wanted) {
   const bool changes = wanted != set_;
   set_ = wanted;
-  if (kept() && isGone(file_)) file_ = SharedFile{-1};
+  if (kept() && isGone(file_)) file_ = Descriptor{-1};
   if (!kept()) return wanted ? create() : void();
   if (changes) (void)write();
 }

@@ -34,7 +34,7 @@ class MarkerFile {
   [[nodiscard]] bool write() const;
 
   std::string path_;
-  SharedFile file_{-1};
+  Descriptor file_{-1};
   bool set_ = false;
   std::string warning_;
 };

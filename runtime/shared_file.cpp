@@ -48,25 +48,14 @@ std::string whyRefused(const struct stat& status, FileOwner owner) {
 
 }  // namespace
 
-SharedFile::SharedFile(SharedFile&& other) noexcept : fd_{std::exchange(other.fd_, -1)} {}
-
-SharedFile& SharedFile::operator=(SharedFile&& other) noexcept {
-  std::swap(fd_, other.fd_);
-  return *this;
-}
-
-SharedFile::~SharedFile() {
-  if (fd_ >= 0) close(fd_);
-}
-
 std::string ownerOf(const struct stat& status) {
   const std::string number = "uid " + std::to_string(status.st_uid);
   const std::optional<std::string> name = userName(status.st_uid);
   return name ? "user '" + *name + "' (" + number + ")" : "the user with " + number;
 }
 
-std::optional<SharedFile> openShared(const std::string& path, int flags, FileOwner owner) {
-  SharedFile file{open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY)};
+std::optional<Descriptor> openShared(const std::string& path, int flags, FileOwner owner) {
+  Descriptor file{open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY)};
   struct stat status {};
   if (file.fd() < 0) {
     const int error = errno;

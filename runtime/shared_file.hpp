@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "hal/descriptor.hpp"
+
 namespace darwinop::runtime {
 
 /// Accepted owners. A world-writable file, a symbolic link, a FIFO or a file with several hard links is never accepted.
@@ -16,23 +18,9 @@ enum class FileOwner {
   kAny,    // root also accepts files of every user: it may observe and release any robot
 };
 
-/// An open file, closed by its destructor.
-class SharedFile {
- public:
-  explicit SharedFile(int fd) : fd_{fd} {}
-  SharedFile(SharedFile&& other) noexcept;
-  SharedFile& operator=(SharedFile&& other) noexcept;
-  ~SharedFile();
-
-  [[nodiscard]] int fd() const { return fd_; }
-
- private:
-  int fd_ = -1;
-};
-
 /// Does not follow links, block on a FIFO, or create the file. Nothing if there is no such file or this process may not
 /// open it (see errno). Throws std::runtime_error with owner and remedy for a file that is not accepted.
-std::optional<SharedFile> openShared(const std::string& path, int flags, FileOwner owner);
+std::optional<Descriptor> openShared(const std::string& path, int flags, FileOwner owner);
 
 /// Removes whatever has this name; a folder with content gets another name. False: not permitted.
 [[nodiscard]] bool removeAny(const std::string& path);

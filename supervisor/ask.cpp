@@ -42,7 +42,7 @@ int noneRuns(int code) {
 /// Signals the process that holds the lock. The pidfd is opened before the lock is checked again, so that a later
 /// process with the same pid is not signalled. Linux before 5.3 has no pidfd.
 bool signalHolder(const runtime::RuntimeFiles& files, pid_t supervisor, int signal) {
-  const runtime::SharedFile handle{static_cast<int>(syscall(kPidfdOpen, supervisor, 0))};
+  const Descriptor handle{static_cast<int>(syscall(kPidfdOpen, supervisor, 0))};
   if (runningOne(files) != supervisor) return true;  // it has ended: no process to signal
   if (handle.fd() >= 0) return syscall(kPidfdSendSignal, handle.fd(), signal, nullptr, 0) == 0 || errno == ESRCH;
   return kill(supervisor, signal) == 0 || errno == ESRCH;

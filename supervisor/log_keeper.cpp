@@ -11,26 +11,21 @@
 #include <array>
 #include <utility>
 
+#include "hal/descriptor.hpp"
+
 namespace darwinop::supervisor {
 namespace {
 
-struct File {
-  int fd;
-  ~File() {
-    if (fd >= 0) close(fd);
-  }
-};
-
 /// Copies the last `bytes`: a fast writer may have written more than can be kept.
 bool copyEnd(int from, std::int64_t size, std::int64_t bytes, const std::string& to) {
-  const File copy{open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644)};
-  if (copy.fd < 0) return false;
+  const Descriptor copy{open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644)};
+  if (copy.fd() < 0) return false;
   std::array<char, 16384> part{};
   off_t at = static_cast<off_t>(std::max<std::int64_t>(0, size - bytes));
   for (std::int64_t left = std::min(size, bytes); left > 0;) {
     const auto want = static_cast<std::size_t>(std::min<std::int64_t>(left, part.size()));
     const ssize_t got = pread(from, part.data(), want, at);
-    if (got <= 0 || write(copy.fd, part.data(), static_cast<std::size_t>(got)) != got) return false;
+    if (got <= 0 || write(copy.fd(), part.data(), static_cast<std::size_t>(got)) != got) return false;
     at += static_cast<off_t>(got);
     left -= got;
   }
@@ -40,11 +35,11 @@ bool copyEnd(int from, std::int64_t size, std::int64_t bytes, const std::string&
 }  // namespace
 
 bool bound(const std::string& path, std::int64_t bytes) {
-  const File file{open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW)};
+  const Descriptor file{open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW)};
   struct stat info {};
-  if (file.fd < 0 || fstat(file.fd, &info) != 0 || info.st_size < bytes) return true;
-  const bool copied = copyEnd(file.fd, info.st_size, bytes, path + ".1");
-  return ftruncate(file.fd, 0) == 0 && copied;
+  if (file.fd() < 0 || fstat(file.fd(), &info) != 0 || info.st_size < bytes) return true;
+  const bool copied = copyEnd(file.fd(), info.st_size, bytes, path + ".1");
+  return ftruncate(file.fd(), 0) == 0 && copied;
 }
 
 LogKeeper::LogKeeper(std::vector<std::string> paths)

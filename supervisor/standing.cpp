@@ -8,15 +8,14 @@
 
 #include <cstring>
 
+#include "hal/descriptor.hpp"
+
 namespace darwinop::supervisor {
 namespace {
 
 bool tryWriteTo(const char* path, const char* text) {
-  const int fd = open(path, O_WRONLY | O_CLOEXEC);
-  if (fd < 0) return false;
-  const bool written = write(fd, text, strlen(text)) > 0;
-  close(fd);
-  return written;
+  const Descriptor file{open(path, O_WRONLY | O_CLOEXEC)};
+  return file.fd() >= 0 && write(file.fd(), text, strlen(text)) > 0;
 }
 
 }  // namespace

@@ -9,17 +9,12 @@
 #include <cstring>
 #include <system_error>
 
+#include "hal/descriptor.hpp"
+
 namespace darwinop::shared_picture {
 namespace {
 
 constexpr Nanos kAskEvery{500'000'000};
-
-struct WindowFile {
-  int fd;
-  ~WindowFile() {
-    if (fd >= 0) ::close(fd);
-  }
-};
 
 /// Another user can put a link, a FIFO or a file of his own in place of both files.
 bool isPlainFile(int file) {
@@ -69,14 +64,14 @@ CameraHealth Reader::health() const {
 
 /// The file may have been replaced by another process, or removed.
 void Reader::attach(Nanos now) {
-  const WindowFile file{::open(options_.files.pictures.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
-  if (file.fd < 0) {
+  const Descriptor file{::open(options_.files.pictures.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+  if (file.fd() < 0) {
     if (errno != ENOENT) log("cannot open " + options_.files.pictures + ": " + std::strerror(errno));
     unmap();
     return;
   }
   struct stat status {};
-  if (::fstat(file.fd, &status) != 0) return;
+  if (::fstat(file.fd(), &status) != 0) return;
   if (window_ != nullptr && status.st_dev == device_ && status.st_ino == inode_) {
     if (const std::uint32_t other = window_->other_size.load(std::memory_order_relaxed); other != 0)
       log("camera pictures of the controller are " + std::to_string(other >> 16) + "x" +
@@ -86,12 +81,12 @@ void Reader::attach(Nanos now) {
     return;
   }
   unmap();
-  if (const std::string why = rejection(file.fd); !why.empty()) {
+  if (const std::string why = rejection(file.fd()); !why.empty()) {
     log("ignoring " + options_.files.pictures + ": " + why);
     return;
   }
   try {
-    memory_ = GuardedMapping{file.fd, sizeof(SharedWindow), PROT_READ};
+    memory_ = GuardedMapping{file.fd(), sizeof(SharedWindow), PROT_READ};
   } catch (const std::system_error& error) {
     return log("cannot map " + options_.files.pictures + ": " + std::strerror(error.code().value()));
   }
@@ -118,10 +113,10 @@ std::string Reader::rejection(int file) const {
 
 void Reader::ask(Nanos now) {
   if (window_ == nullptr) return;
-  const WindowFile file{::open(options_.files.asked.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
-  if (file.fd >= 0 && !isPlainFile(file.fd)) return log("ignoring " + options_.files.asked + ": " + kNotAPlainFile);
+  const Descriptor file{::open(options_.files.asked.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+  if (file.fd() >= 0 && !isPlainFile(file.fd())) return log("ignoring " + options_.files.asked + ": " + kNotAPlainFile);
   const std::int64_t stamp = now.count();
-  if (file.fd < 0 || ::pwrite(file.fd, &stamp, sizeof stamp, 0) != static_cast<ssize_t>(sizeof stamp))
+  if (file.fd() < 0 || ::pwrite(file.fd(), &stamp, sizeof stamp, 0) != static_cast<ssize_t>(sizeof stamp))
     log("cannot request pictures through " + options_.files.asked + ": " + std::strerror(errno));
 }
 
