@@ -163,6 +163,18 @@ TEST_F(WholeChain, AKilledDaemonEndsTheControllerWithASentence) {
   EXPECT_THAT(driving.output(), HasSubstr("runtime"));
 }
 
+/// The controller itself ends well: what is wrong is the robot that nothing watches.
+TEST_F(WholeChain, ADaemonThatDiesDuringARunMakesItFail) {
+  startVirtualRobot();
+  Program daemon{{program("darwinop-runtime"), "--robot", port()}, file("daemon.txt")};
+  ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();
+  Program running{{program("darwinop-run"), "--robot", "runtime", controller(), "100000"}, file("run.txt")};
+  ASSERT_TRUE(running.says("ready", seconds{20})) << running.output();
+  daemon.kill(SIGKILL);
+  EXPECT_EQ(running.wait(seconds{10}), 1) << running.output();
+  EXPECT_THAT(running.output(), HasSubstr("report: "));
+}
+
 TEST_F(WholeChain, CtrlCEndsAControllerNormallyAndTheReportIsTheLastLine) {
   startVirtualRobot();
   Program running{{program("darwinop-run"), "--robot", port(), controller(), "100000"}, file("run.txt")};
