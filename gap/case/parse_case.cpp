@@ -5,12 +5,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "experiments/logs/read_log.hpp"
 #include "gap/case/bad_rows.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 #include "gap/case/plausible.hpp"
-#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -70,12 +68,6 @@ void append(std::vector<LogEntry>& entries, Case& into) {
   }
   for (Trajectory& log : into.logs)
     if (log.repeat_of) log.repeat_of = index[*log.repeat_of];
-}
-
-logs::Log readRegularLog(const fs::path& path) {
-  if (fs::exists(path) && !fs::is_regular_file(path))  // opening a pipe waits for its writer
-    throw std::runtime_error("cannot read the log " + path.string() + ": " + messages::kNotRegular);
-  return logs::readLog(path.string());
 }
 
 void takeOrder(Fields& top, bool recording, Case& into) {
@@ -185,38 +177,6 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   checkRepeats(out);
   smoothTemperatures(out);
   return out;
-}
-
-std::string caseTextIn(const std::string& folder) {
-  const std::string file = (fs::path{folder} / "case.json").string();
-  std::optional<std::string> text;
-  try {
-    text = readTextFile(file);
-  } catch (const std::runtime_error& error) {
-    throw BadInput(error.what());
-  }
-  if (!text)
-    throw BadInput(
-        file +
-        ": there is no such file. It lists the logs of a case and its model: copy "
-        "the one of the shipped example and change it, docs/gap/cases.md explains each key; `darwinop gap run` "
-        "makes one of raw logs");
-  return *text;
-}
-
-CaseFiles filesIn(const std::string& folder) {
-  return {
-      .log = [=](const std::string& name) { return readRegularLog(fs::path{folder} / name); },
-      .model =
-          [=](const std::string& name) {
-            const fs::path beside = fs::path{folder} / name;
-            return twin::readModel(fs::exists(beside) ? beside.string() : twin::findModel(name));
-          },
-  };
-}
-
-Case readCase(const std::string& folder) {
-  return parseCase(caseTextIn(folder), (fs::path{folder} / "case.json").string(), filesIn(folder));
 }
 
 }  // namespace darwinop::gap

@@ -41,7 +41,7 @@ bool isAskedToMove(const BodyCase& given, std::string_view joint) {
 
 /// Angle between the mean reading of the accelerometer and the model's, rad.
 double misplacedBy(const BodyCase& given, const RestingImu& imu) {
-  const std::vector<RestingReading> readings = restingReadings(given, ImuSensor::kAccelerometer, false);
+  const std::vector<RestingReading> readings = restingReadings(given, ImuSensor::kAccelerometer);
   if (readings.empty()) return std::nan("");
   const Eigen::Vector3d expected = imu.reading(ImuSensor::kAccelerometer, readings.front().up),
                         mean = readings.front().mean;

@@ -85,7 +85,7 @@ double meanEvidence(const std::vector<double>& twice_logarithms) {
 }  // namespace
 
 RestingProblem::RestingProblem(const BodyCase& given, const RestingImu& imu, ImuSensor sensor)
-    : imu_{imu}, sensor_{sensor}, logs_{restingReadings(given, sensor, false)} {
+    : imu_{imu}, sensor_{sensor}, logs_{restingReadings(given, sensor)} {
   const auto n = static_cast<Eigen::Index>(logs_.size());
   const double bias_sigma = given.sigmaOf(biasKeyOf(sensor));
   measured_.resize(3 * n);

@@ -11,7 +11,7 @@ std::vector<BodyRow> imuRows(const BodyCase& given, const RestingImu& imu) {
   constexpr std::array kAxes{"x", "y", "z"};
   std::vector<BodyRow> rows;
   for (const ImuSensor sensor : kImuSensors) {
-    const std::vector<RestingReading> readings = restingReadings(given, sensor, false);
+    const std::vector<RestingReading> readings = restingReadings(given, sensor);
     if (readings.empty()) continue;
     const double bias_sigma = given.sigmaOf(biasKeyOf(sensor));
     const auto n = static_cast<Eigen::Index>(readings.size());

@@ -69,11 +69,11 @@ std::string_view biasKeyOf(ImuSensor sensor) {
   return sensor == ImuSensor::kGyro ? "imu.gyro_bias_rad_s" : "imu.accel_bias_m_s2";
 }
 
-std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor, bool held_out) {
+std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor) {
   std::vector<RestingReading> out;
   for (std::size_t i = 0; i < given.logs.size(); ++i) {
     const BodyLog& log = given.logs[i];
-    if (!log.up || log.held_out != held_out) continue;
+    if (!log.up || log.held_out) continue;
     const AxesColumns& columns = sensor == ImuSensor::kGyro ? log.gyro_rad_s : log.accel_m_s2;
     RestingReading reading{.log = i, .up = vectorOf(*log.up), .mean = {}, .sigma = {}, .scatter = {}};
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -87,7 +87,7 @@ std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sen
 }
 
 Eigen::Vector3d readingNoise(const BodyCase& given, ImuSensor sensor) {
-  const std::vector<RestingReading> readings = restingReadings(given, sensor, false);
+  const std::vector<RestingReading> readings = restingReadings(given, sensor);
   if (readings.empty()) return Eigen::Vector3d::Constant(stepOf(sensor) * std::hypot(0.5, 1 / std::sqrt(12.0)));
   Eigen::Vector3d square = Eigen::Vector3d::Zero();
   for (const RestingReading& one : readings) square += one.scatter.cwiseAbs2() / static_cast<double>(readings.size());

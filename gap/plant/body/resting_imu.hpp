@@ -30,8 +30,8 @@ struct RestingReading {
   double rows = 0;          // with a reading
 };
 
-/// Mean readings of the clamped logs that are held out, or of the others.
-std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor, bool held_out);
+/// Mean readings of the clamped logs that are not held out.
+std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor);
 
 /// Standard deviation of one reading, for x, y and z: what clamped logs for fits show, or that of its register.
 Eigen::Vector3d readingNoise(const BodyCase& given, ImuSensor sensor);
