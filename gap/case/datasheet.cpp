@@ -62,7 +62,7 @@ Datasheet readDatasheet(Fields sheet, const twin::ServoParameters& baseline, std
     servo.duty_per_kp_per_rad = servo.ticks_per_rev / (2 * kPi) / sheet.number("position_p_divisor", {"", 1, 65536}) /
                                 sheet.number("pwm_limit", {"", 1, 65536});
   for (const ServoKey& key : servoKeys())
-    if (key.of_voltage_p != key.of_speed_p) servo.*key.member = sheet.number(key.json, ruleOf(key), servo.*key.member);
+    if (isOfDatasheet(key)) servo.*key.member = sheet.number(key.json, ruleOf(key), servo.*key.member);
   servo.back_emf_vs_rad = servo.kt_nm_a;
   for (const ServoKey& key : servoKeys()) {
     const twin::NumberRule rule = ruleOf(key);
@@ -73,8 +73,7 @@ Datasheet readDatasheet(Fields sheet, const twin::ServoParameters& baseline, std
   out.relative_sigma = sheet.number("rel_sigma", kRelativeSigma, out.relative_sigma);
   for (const std::string_view key : {"gear_ratio", "backlash_rad", "position_p_divisor", "pwm_limit"}) sheet.leave(key);
   for (const std::string& key : sheet.untaken())
-    warnings.push_back(sheet.file() + ": " + logs::quotedField("servo_datasheet." + key) +
-                       " is not understood and left aside");
+    warnings.push_back(sheet.file() + ": " + logs::quotedField("servo_datasheet." + key) + messages::kLeftAside);
   return out;
 }
 

@@ -106,15 +106,17 @@ std::string Declarations::missingOfServo() const {
 }
 
 twin::ServoParameters Declarations::servoFrom(twin::ServoParameters servo, std::vector<std::string>& notes) const {
-  Json sheet = Json::object();
-  for (const auto& [key, value] : servo_) sheet[key] = numberIn(key, value);
   servo.law = twin::Law::kVoltageP;
   servo.supply_v = number("supply_V").value_or(servo.supply_v);
-  servo = readDatasheet(Fields{sheet, "--declare", ""}, servo, notes).servo;
+  Json sheet = Json::object();
+  for (const auto& [key, value] : servo_) sheet[key] = numberIn(key, value);
+  // Of both laws, and so not of the data sheet.
   for (const ServoKey& key : servoKeys())
-    if (const auto found = servo_.find(std::string{key.json}); found != servo_.end())
-      servo.*key.member = numberIn(found->first, found->second);
-  servo.back_emf_vs_rad = servo.kt_nm_a;
+    if (const auto found = sheet.find(key.json); found != sheet.end() && !isOfDatasheet(key)) {
+      servo.*key.member = found->get<double>();
+      sheet.erase(found);
+    }
+  servo = readDatasheet(Fields{sheet, "--declare", ""}, servo, notes).servo;
   if (!servo_.contains("armature_kgm2")) notes.emplace_back(messages::kArmatureAssumed);
   return servo;
 }

@@ -44,6 +44,7 @@ inline constexpr const char* kSeveralMotors = "logs of several motors; put each 
 inline constexpr const char* kArmatureAssumed =
     "armature_kgm2 is not declared and is that of an MX-28 or of --model; a larger servo has a larger one, which fast "
     "motion shows: --declare armature_kgm2=...";
+inline constexpr const char* kLeftAside = " is not understood and left aside";
 inline constexpr const char* kNotDeclared = ": the logs do not contain all that is needed; declare";
 inline constexpr const char* kNotDeclarable = "cannot be declared; there are ";
 inline constexpr const char* kNoGoalOfJoint = "there is no goal of joint ";

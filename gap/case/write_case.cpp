@@ -97,7 +97,7 @@ Json priorsOf(const Case& c) {
 Json datasheetOf(const Datasheet& sheet) {
   Json out = Json::object();
   for (const ServoKey& key : servoKeys())
-    if (key.of_voltage_p != key.of_speed_p) out[std::string{key.json}] = sheet.servo.*key.member;
+    if (isOfDatasheet(key)) out[std::string{key.json}] = sheet.servo.*key.member;
   out["rel_sigma"] = sheet.relative_sigma;
   return out;
 }

@@ -99,6 +99,8 @@ TEST_F(DeclaredFolder, TheArmatureOfAnotherServoIsNoted) {
   const auto is_noted = Contains(HasSubstr(messages::kArmatureAssumed));
   EXPECT_THAT(notesFor(folder / "", {}), is_noted);
   EXPECT_THAT(notesFor(folder / "", {"armature_kgm2=0.02"}), testing::Not(is_noted));
+  EXPECT_THAT(notesFor(folder / "", {"armature_kgm2=0.02", "firmware_dt_s=0.002"}),
+              testing::Not(Contains(HasSubstr(messages::kLeftAside))));
   EXPECT_THAT(notesFor(csv / "", {"kp=32", "payload_kg=0.3", "length_m=0.17", "supply_V=12"}), is_noted);
 }
 
