@@ -24,10 +24,11 @@ struct Trial {
   EffectList doubles;
 };
 
-/// A double replaces what it is confused with; and what acts in the same part of the loop, if the logs show none of it.
-std::vector<Trial> trialsOf(const FittedModel& model, const EffectList& hidden) {
+/// A double replaces what it is confused with, if that is hidden; and if both are, all that is hidden in the same part
+/// of the loop.
+std::vector<Trial> trialsOf(const FittedModel& model, const EffectList& candidates, const EffectList& hidden) {
   std::vector<Trial> trials;
-  for (const twin::EffectInfo* const one : hidden) {
+  for (const twin::EffectInfo* const one : candidates) {
     if (has(model.effects, *one) || aliasesAPrior(model.study->data, *one)) continue;
     const EffectList like = twin::doublesOf(*one);
     Effects others = model.effects, few = model.effects;
@@ -37,6 +38,7 @@ std::vector<Trial> trialsOf(const FittedModel& model, const EffectList& hidden) 
     std::erase_if(others, [&](const ChosenEffect& effect) {
       return contains(hidden, effect.info) && (contains(like, effect.info) || effect.info->part == one->part);
     });
+    if (!contains(hidden, one)) others = few;
     for (const Effects& kept : {few, others}) {
       auto trial = std::ranges::find(trials, kept, &Trial::kept);
       if (trial == trials.end()) trial = trials.insert(trials.end(), {kept, {}});
@@ -66,7 +68,7 @@ bool RoughSelection::predictsAsWell(const FittedModel& other, const std::vector<
 }
 
 void RoughSelection::noteDoubles() {
-  const std::vector<Trial> trials = trialsOf(model_, effectsNotShown(study_.data));
+  const std::vector<Trial> trials = trialsOf(model_, candidates_, effectsNotShown(study_.data));
   if (trials.empty()) return;
   options_.progress("effects that these logs do not show: do others predict as well in their place?");
   const std::vector<double> errors = leaveOneOutErrors(model_);

@@ -124,13 +124,8 @@ TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   EXPECT_EQ(identification.effects.front().effect->id, "coulomb");
 }
 
-TEST(RoughNumbers, TwoLogsAreTooFewToNameAnything) {
-  Case bench = manualBench();
-  for (std::size_t i = 1; i < bench.logs.size(); ++i) bench.logs[i].held_out = i != 3;
-  const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};
-  const Identification identification = identify(Study{measuredIn(gusts, bench, realServo(bench))});
-  EXPECT_EQ(identification.verdict, Verdict::kCannotTell) << namesIn(identification);
-  EXPECT_TRUE(identification.too_few_logs);
+bool isShown(const Case& given, std::string_view id) {
+  return std::ranges::none_of(effectsNotShown(given), [&](const twin::EffectInfo* effect) { return effect->id == id; });
 }
 
 /// A joint of an arm, from a program that records goals and positions alone: one weight, one gain, held horizontally.
@@ -150,6 +145,18 @@ Case withoutLoads(Case given) {
   return given;
 }
 
+TEST(RoughNumbers, TwoLogsAreTooFewForWhatLoadsDoNotShow) {
+  Case bench = manualBench();
+  for (std::size_t i = 1; i < bench.logs.size(); ++i) bench.logs[i].held_out = i != 3;
+  const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};
+  const Case given = measuredIn(gusts, bench, realServo(bench));
+  const Identification with_loads = identify(Study{given}), without = identify(Study{withoutLoads(given)});
+  ASSERT_EQ(with_loads.effects.size(), 1U) << namesIn(with_loads);
+  EXPECT_EQ(with_loads.effects.front().effect->id, "kp_scale");
+  EXPECT_EQ(without.verdict, Verdict::kCannotTell) << namesIn(without);
+  EXPECT_TRUE(without.too_few_logs);
+}
+
 // Under a load that never changes, friction that is proportional to it is dry friction.
 TEST(RoughNumbers, AKindOfFrictionThatNoLogShowsIsAmbiguous) {
   const Case bench = jointOfAnArm();
@@ -162,6 +169,20 @@ TEST(RoughNumbers, AKindOfFrictionThatNoLogShowsIsAmbiguous) {
     EXPECT_TRUE(foundIn(identification, kind) != nullptr || isRival(identification, kind)) << kind;
 }
 
+// Slow motion shows friction that is greater at rest, but no log shows dry friction itself.
+TEST(RoughNumbers, ADoubleOfAnEffectThatNoLogShowsIsARival) {
+  const Case bench = jointOfAnArm();
+  Hypothesis truth = withEffect(bench, "stribeck", "friction", 0.2);
+  valueOf(truth.with(*twin::findEffect("stribeck")), "speed") = 0.1;
+  const Disturbance gusts{.torque_nm = 0.04, .torque_time_s = 0.4};
+  const Case given = withoutLoads(measuredIn(gusts, bench, truth));
+  ASSERT_TRUE(isShown(given, "stribeck"));
+  ASSERT_FALSE(isShown(given, "coulomb"));
+  const Identification identification = identify(Study{given});
+  EXPECT_TRUE(foundIn(identification, "stribeck") != nullptr || isRival(identification, "stribeck"))
+      << namesIn(identification);
+}
+
 TEST(RoughNumbers, AnEffectAtTheEndOfItsRangeIsNotNamed) {
   const Case bench = manualBench();
   Hypothesis truth = realServo(bench);
@@ -169,10 +190,6 @@ TEST(RoughNumbers, AnEffectAtTheEndOfItsRangeIsNotNamed) {
   const Identification identification =
       identify(Study{measuredIn({.torque_nm = 0.06, .torque_time_s = 0.4}, bench, truth)});
   EXPECT_EQ(foundIn(identification, "encoder_offset"), nullptr) << namesIn(identification);
-}
-
-bool isShown(const Case& given, std::string_view id) {
-  return std::ranges::none_of(effectsNotShown(given), [&](const twin::EffectInfo* effect) { return effect->id == id; });
 }
 
 TEST(RoughNumbers, AnAdditionThatEndsTheFrictionIsRefused) {
