@@ -1,6 +1,7 @@
 // Which effects are missing from a model: verdict, effects with intervals, rivals, rejected effects.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -67,7 +68,7 @@ struct Identification {
   std::vector<PriorConflict> prior_conflicts;
   std::vector<RejectedEffect> rejected;
   std::vector<IdentifiedEffect> withdrawn;  // of `unknown`: the best set that was tried; not in `model`
-  // Gain that chance exceeds in 1 % of cases; in 2.5 % where the model is plainly wrong. NaN: not computed.
+  // Gain that chance exceeds in 1 % of cases; in 2.5 % where the model is plainly wrong. NaN: isSelectedByPrediction().
   double threshold = 0;
   double misfit = 0;                             // of the final model, bootstrap standard deviations
   double gap_before_rad = 0, gap_after_rad = 0;  // rms position error over the fit logs, closed loop
@@ -76,6 +77,9 @@ struct Identification {
   std::vector<std::string> explained;            // files of the logs that alone were fitted; empty: all were
   bool too_few_logs = false;  // `cannot_tell`: a roughly known motor, and fewer than three independent fitted logs
   bool remains = false;       // named or ambiguous, with a remainder that no effect of the catalogue explains
+
+  /// Chance and evidence say nothing of a model that is wrong: effects and rivals are those that predict left-out logs.
+  [[nodiscard]] bool isSelectedByPrediction() const { return std::isnan(threshold); }
 };
 
 struct IdentifyOptions {

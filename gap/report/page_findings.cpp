@@ -41,15 +41,20 @@ std::string foundText(const IdentifiedEffect& found) {
          "\n";
 }
 
+std::string behindText(const Rival& rival, const Identification& identification) {
+  if (identification.isSelectedByPrediction()) return messages::kPredictsAsWell;
+  return "the fit is worse by " + html::number(rival.behind, text::fixedText(rival.behind, 0)) +
+         (rival.isClose() ? ", <strong>too little to decide</strong>" : "");
+}
+
 std::string rivalsText(const Identification& identification) {
   if (identification.rivals.empty()) return "";
   std::string items;
   for (const Rival& rival : identification.rivals)
-    items +=
-        wrap("li", wrap("code", html::text(text::joined(rival.effects, " + "))) + " instead: the fit is worse by " +
-                       html::number(rival.behind, text::fixedText(rival.behind, 0)) +
-                       (rival.isClose() ? ", <strong>too little to decide</strong>" : "")) +
-        "\n";
+    items += wrap("li", wrap("code", html::text(text::joined(rival.effects, " + "))) +
+                            " instead: " + behindText(rival, identification)) +
+             "\n";
+  if (identification.isSelectedByPrediction()) return "<h3>Rivals</h3>" + wrap("ul", items);
   std::string chance;
   if (std::isfinite(identification.threshold))
     chance = "A gain of " + html::number(identification.threshold, text::fixedText(identification.threshold, 0)) +

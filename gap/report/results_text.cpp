@@ -4,6 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "core/text/formatted.hpp"
 #include "core/text/joined.hpp"
 #include "gap/case/contradictions.hpp"
 #include "gap/identify/assessment.hpp"
@@ -93,8 +94,11 @@ std::string rivalText(const Identification& identification) {
   std::string text;
   for (std::size_t i = 0; i < std::min(kRivalsShown, identification.rivals.size()); ++i) {
     const Rival& rival = identification.rivals[i];
-    text += line("%-9s %s: worse by %.0f%s", i == 0 ? "rivals" : "", asAlternative(rival, identification).c_str(),
-                 rival.behind, rival.isClose() ? ", not excluded" : "");
+    const std::string behind =
+        identification.isSelectedByPrediction()
+            ? messages::kPredictsAsWell
+            : text::formatted("worse by %.0f%s", rival.behind, rival.isClose() ? ", not excluded" : "");
+    text += line("%-9s %s: %s", i == 0 ? "rivals" : "", asAlternative(rival, identification).c_str(), behind.c_str());
   }
   const std::size_t conflicts = identification.verdict == Verdict::kAmbiguous ? 1 : kConflictsShown;
   for (std::size_t i = 0; i < std::min(conflicts, identification.prior_conflicts.size()); ++i) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
@@ -101,6 +102,9 @@ TEST(Summary, NamesTheExperimentForEachEffectThatIsUndecided) {
   text = inOneLine(asText(rig.report));
   EXPECT_THAT(text, HasSubstr(messages::kNotIdentified));
   EXPECT_EQ(asJson(rig.given, rig.outcome)["ambiguity"][0], nlohmann::json({"coulomb", "deadband"}));
+  identification.threshold = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(std::string{"deadband instead: "} + messages::kPredictsAsWell));
+  EXPECT_THAT(asHtml(rig.report), HasSubstr(std::string{"</code> instead: "} + messages::kPredictsAsWell));
 }
 
 TEST(Summary, ListsWhatWasTriedThoughNothingIsNamed) {
