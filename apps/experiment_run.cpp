@@ -19,6 +19,7 @@
 #include "experiments/run/gentle_stop.hpp"
 #include "experiments/run/hardware.hpp"
 #include "experiments/run/progress.hpp"
+#include "experiments/run/recorded.hpp"
 #include "experiments/run/runner.hpp"
 
 namespace darwinop::experiments {
@@ -59,7 +60,7 @@ RunOutcome drive(const Experiment& experiment, const Plan& plan) {
 }
 
 int reportEnd(RunOutcome outcome, const std::string& record) {
-  if (!record.empty()) std::cout << "recorded: " << record << std::endl;
+  const bool is_recorded = reportRecording(record);
   switch (outcome) {
     case RunOutcome::kStopped:
       std::cerr << "stopped on request; the recording contains the data until then\n";
@@ -76,7 +77,7 @@ int reportEnd(RunOutcome outcome, const std::string& record) {
                    "the fall on\n";
       return kExitEnded;
     default:
-      return kExitDone;
+      return is_recorded ? kExitDone : kExitEnded;
   }
 }
 

@@ -16,6 +16,7 @@
 #include "connect/setting.hpp"
 #include "core/text/number_text.hpp"
 #include "experiments/run/hardware.hpp"
+#include "experiments/run/recorded.hpp"
 #include "managers/motion_watch/motion_watch.hpp"
 #include "managers/motion_watch/posture.hpp"
 #include "motion_messages.hpp"
@@ -116,7 +117,8 @@ class Stage {
   MotionWatch watch_;
 };
 
-int perform(const PlayRequest& request, bool is_motion) {
+/// False if the robot or the user has ended it. On return the robot is at rest and the recording complete.
+bool playAll(const PlayRequest& request, bool is_motion) {
   Stage stage;
   std::cout << kReady << std::endl;
   bool whole = true;
@@ -125,8 +127,13 @@ int perform(const PlayRequest& request, bool is_motion) {
   const double seconds = stage.seconds();
   whole = whole && stage.waitUntilSettled();
   stage.printSummary(seconds);
-  if (!request.record.empty()) std::cout << "recorded: " << request.record << std::endl;
-  if (whole) return kPlayed;
+  return whole;
+}
+
+int perform(const PlayRequest& request, bool is_motion) {
+  const bool whole = playAll(request, is_motion);
+  const bool is_recorded = experiments::reportRecording(request.record);
+  if (whole) return is_recorded ? kPlayed : kPlayEnded;
   std::cerr << (webots_api::stopRequested() ? kStoppedOnRequest : "ended by the robot, see above\n");
   return webots_api::stopRequested() ? kPlayStopped : kPlayEnded;
 }

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
@@ -81,7 +83,7 @@ Recorder::~Recorder() {
   drain();
   if (const std::uint32_t lost = ring_->dropped(); lost != 0)
     put(kLostRows + std::to_string(lost) + " (the disk was too slow)\n");
-  put("# end\n");
+  put(kEndOfRecording);
   if (!failed_) check(file_.close());
 }
 
@@ -147,6 +149,15 @@ void Recorder::check(int error) {
   if (error == 0) return;
   failed_ = true;
   std::cerr << "the recording " << path_ << " ends here: " << std::strerror(error) << "; the loop continues\n";
+}
+
+bool isCompleteRecording(const std::string& path) {
+  std::error_code absent;
+  if (!std::filesystem::is_regular_file(path, absent)) return std::filesystem::exists(path, absent);
+  std::string last(std::strlen(kEndOfRecording), '\0');
+  std::ifstream file{path, std::ios::binary};
+  file.seekg(-static_cast<std::streamoff>(last.size()), std::ios::end);
+  return file.read(last.data(), static_cast<std::streamsize>(last.size())) && last == kEndOfRecording;
 }
 
 }  // namespace darwinop::runtime

@@ -4,11 +4,14 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "experiments/format/messages.hpp"
+#include "experiments/run/recorded.hpp"
 #include "system/program.hpp"
 
 namespace darwinop {
@@ -56,11 +59,23 @@ TEST_F(Command, ListsTheSuiteWithTheMovedJoints) {
 
 TEST_F(Command, RunRecordsUnderTheNameOfTheExperiment) {
   EXPECT_EQ(experiment({"run", "chirp", "--robot", "virtual", "--record", file("log.csv")}), 0) << output;
-  EXPECT_THAT(output, HasSubstr("recorded: " + file("log.csv")));
+  EXPECT_THAT(output, HasSubstr(experiments::kRecorded + file("log.csv")));
   const std::string log = text("log.csv");
   EXPECT_THAT(log, HasSubstr("\n# experiment: chirp\n# title: The stretched arm"));
   EXPECT_THAT(log, HasSubstr("\n# joints: ShoulderR\n"));
   EXPECT_TRUE(log.ends_with("# end\n"));
+}
+
+// Its size limit stands for a full disk. The shared memory of the loop is a file also, which has to fit.
+TEST_F(Command, AnExperimentThatCouldNotBeRecordedInFullFails) {
+  const std::string limited = "trap '' XFSZ; ulimit -f 1024; exec \"$0\" \"$@\"";
+  Program program{{"/bin/bash", "-c", limited, std::string{DARWINOP_BIN} + "/darwinop-experiment", "run", "chirp",
+                   "--robot", "virtual", "--record", file("log.csv")},
+                  file("out.txt")};
+  EXPECT_EQ(program.wait(std::chrono::seconds{20}), 1);
+  EXPECT_THAT(program.output(), HasSubstr(experiments::kRecordedInPart + file("log.csv")));
+  EXPECT_THAT(program.output(), HasSubstr(std::strerror(EFBIG)));
+  EXPECT_THAT(program.output(), Not(HasSubstr(experiments::kRecorded)));
 }
 
 TEST_F(Command, SuggestsTheClosestNameForAnUnknownOne) {

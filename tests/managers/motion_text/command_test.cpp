@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "experiments/run/recorded.hpp"
 #include "hal/text_file.hpp"
 #include "managers/motion/pages.hpp"
 #include "managers/motion_text/motion_file.hpp"
@@ -173,6 +174,16 @@ TEST_F(MotionPlay, PrintsPlanAndResult) {
   EXPECT_THAT(output_,
               AllOf(HasSubstr(MotionWatch::kNoFaults), HasSubstr(" " + std::string{textOf(Posture::kStands)} + "\n")));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "log.csv"));
+}
+
+// Its size limit stands for a full disk. The shared memory of the loop is a file also, which has to fit.
+TEST_F(MotionPlay, AMotionThatCouldNotBeRecordedInFullFails) {
+  const std::string limited = "trap '' XFSZ; ulimit -f 256; exec \"$0\" \"$@\"", log = folder_ / "log.csv";
+  Program program{{"/bin/bash", "-c", limited, DARWINOP_MOTION, "play", "own", "9", "9", "9", "9", "--robot", "virtual",
+                   "--record", log},
+                  folder_ / "output"};
+  EXPECT_EQ(program.wait(std::chrono::seconds{60}), 1);
+  EXPECT_THAT(program.output(), AllOf(HasSubstr(experiments::kRecordedInPart + log), HasSubstr(std::strerror(EFBIG))));
 }
 
 TEST_F(MotionPlay, ReportsTheLeadInOfADistantPage) {
