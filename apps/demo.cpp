@@ -5,14 +5,14 @@
 #include <string>
 
 #include "apps/demo/walk.hpp"
+#include "exit_codes.hpp"
 #include "parse_arguments.hpp"
 #include "twin_look.hpp"
+#include "webots/stop_signals.hpp"
 
 namespace {
 
 namespace twin = darwinop::twin;
-
-constexpr int kWrong = 2;  // exit status: invalid or unusable arguments
 
 int run(int argc, char** argv) {
   CLI::App app{"Demonstrations on the physics twin.", "darwinop demo"};
@@ -38,10 +38,14 @@ int run(int argc, char** argv) {
       "side");
   app.require_subcommand(1);
   app.set_version_flag("--version", DARWINOP_VERSION);
-  app.footer("Example:\n  darwinop demo walk --record walk.mp4");
+  app.footer(
+      "Example:\n  darwinop demo walk --record walk.mp4\nExit code: 0 done, 1 the robot fell, 2 wrong arguments or "
+      "file, "
+      "130 Ctrl-C");
   if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   if (window) show.record.clear();
-  return darwinop::demo::walk(show);
+  const int status = darwinop::demo::walk(show);
+  return darwinop::webots_api::stopRequested() ? darwinop::app::kStopped : status;
 }
 
 }  // namespace
@@ -51,6 +55,6 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "darwinop demo: %s\n", error.what());
-    return kWrong;
+    return darwinop::app::kWrong;
   }
 }

@@ -110,7 +110,7 @@ int main(int argc, char** argv) try {
   return examine(robot, fix, json);
 } catch (const WrongPort& error) {
   std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
-  return app::kWrongArguments;
+  return app::kWrong;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
   return 1;

@@ -14,6 +14,7 @@
 #include "experiments/format/plan.hpp"
 #include "experiments/format/reader.hpp"
 #include "parse_arguments.hpp"
+#include "run_tool.hpp"
 #include "safety/config.hpp"
 #if __has_include("experiments/logs/plot/plot.hpp")
 #include "experiments/logs/plot/plot.hpp"
@@ -25,7 +26,7 @@ namespace {
 using namespace darwinop::experiments;
 
 int list() {
-  int status = kExitDone;
+  int status = darwinop::app::kDone;
   const std::vector<std::string> files = experimentFiles();
   for (const std::string& file : files) try {
       const Experiment experiment = readExperiment(file);
@@ -38,7 +39,7 @@ int list() {
                                  : "");
     } catch (const std::exception& wrong) {
       std::cerr << "darwinop experiment: " << wrong.what() << '\n';
-      status = kExitWrong;
+      status = darwinop::app::kWrong;
     }
   if (files.empty()) throw std::runtime_error("no experiments found in " + experimentFolders().back());
   return status;
@@ -47,7 +48,7 @@ int list() {
 int show(const std::string& name) {
   const Experiment experiment = readExperiment(findExperiment(name));
   std::cout << planText(experiment, makePlan(experiment, darwinop::safety::hardRanges()));
-  return kExitDone;
+  return darwinop::app::kDone;
 }
 
 void describeRun(CLI::App& app, ExperimentRequest& a) {
@@ -59,7 +60,9 @@ void describeRun(CLI::App& app, ExperimentRequest& a) {
   app.add_flag("--no-record", a.no_record, "do not record")->excludes("--record");
   app.add_option("--period", a.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));
   app.add_flag("--yes", a.yes, "permit moving a real robot");
-  app.footer("Exit status: 0 done, 1 ended by the robot, 2 invalid file or arguments, 3 needs --yes, 130 Ctrl-C");
+  app.footer(
+      "Exit code: 0 done; 1 ended by the robot, a fall, or an incomplete recording; 2 wrong file, arguments or robot: "
+      "nothing moved; 3 needs --yes; 130 Ctrl-C");
 }
 
 #ifdef DARWINOP_CAN_PLOT
@@ -108,10 +111,5 @@ int command(int count, char** arguments) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    return command(count, arguments);
-  } catch (const std::exception& error) {
-    std::cerr << "darwinop experiment: " << error.what() << '\n';
-    return kExitWrong;
-  }
+  return darwinop::app::runTool("darwinop experiment", [&] { return command(count, arguments); });
 }

@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
-#include <webots/Robot.hpp>
 
 #include "connect/robot_file.hpp"
 #include "connect/setting.hpp"
+#include "exit_codes.hpp"
 #include "experiments/format/experiment_files.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/reader.hpp"
@@ -21,6 +21,7 @@
 #include "experiments/run/progress.hpp"
 #include "experiments/run/recorded.hpp"
 #include "experiments/run/runner.hpp"
+#include "webots/tool_robot.hpp"
 
 namespace darwinop::experiments {
 namespace {
@@ -52,7 +53,7 @@ void setIfGiven(const char* name, const std::string& value) {
 
 /// On the robot selected by the environment; on return the robot is at rest and the recording complete.
 RunOutcome drive(const Experiment& experiment, const Plan& plan) {
-  webots::Robot robot;
+  webots_api::ToolRobot robot;
   const std::atomic<bool>& stop = installGentleStop();
   Progress progress{plan.seconds()};
   const auto report = [&](const std::string& phase, double seconds) { progress.update(phase, seconds); };
@@ -64,20 +65,20 @@ int reportEnd(RunOutcome outcome, const std::string& record) {
   switch (outcome) {
     case RunOutcome::kStopped:
       std::cerr << "stopped on request; the recording contains the data until then\n";
-      return kExitStopped;
+      return app::kStopped;
     case RunOutcome::kEnded:
       std::cerr << "the experiment was ended by the robot, see above\n";
-      return kExitEnded;
+      return app::kFailed;
     case RunOutcome::kFell:
       std::cerr << "the robot fell before the first pose; nothing was measured. Set it upright on level floor, "
                    "in its start pose, and try again\n";
-      return kExitEnded;
+      return app::kFailed;
     case RunOutcome::kFellIn:
       std::cerr << "unexpected fall: the experiment was ended, and the recording is invalid from "
                    "the fall on\n";
-      return kExitEnded;
+      return app::kFailed;
     default:
-      return is_recorded ? kExitDone : kExitEnded;
+      return is_recorded ? app::kDone : app::kFailed;
   }
 }
 
@@ -95,7 +96,7 @@ int run(ExperimentRequest a) {
     std::cerr << "darwinop experiment: this moves a real robot, as shown above. Make sure that nothing is in its way "
                  "and that "
                  "a person holds it, then add --yes\n";
-    return kExitNeedsYes;
+    return app::kNeedsYes;
   }
   if (connect::loopIsElsewhere(robot) && !a.no_record)
     throw std::runtime_error(

@@ -14,10 +14,8 @@ struct ExperimentRequest {
   bool no_record = false;
 };
 
-// Exit statuses, docs/experiments.md.
-inline constexpr int kExitDone = 0, kExitEnded = 1, kExitWrong = 2, kExitNeedsYes = 3, kExitStopped = 130;
-
-/// Throws std::runtime_error before anything moves.
+/// Returns the exit code. Throws std::runtime_error before anything moves, webots_api::EndedBeforeReady also after
+/// that.
 int run(ExperimentRequest a);
 
 }  // namespace darwinop::experiments

@@ -1,7 +1,5 @@
 // darwinop-motion: list, show, check, convert, mirror, create, play and plot motion pages.
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -18,13 +16,13 @@
 #include "motion_plot.hpp"
 #include "motion_print.hpp"
 #include "parse_arguments.hpp"
+#include "run_tool.hpp"
 
 namespace {
 
 using namespace darwinop;
 using namespace darwinop::motion;
 
-constexpr int kWrong = 2;                 // invalid arguments or unusable file
 constexpr std::uint8_t kFirstTime = 125;  // 1 s, slow enough from any pose
 constexpr const char* kFileHelp = "motion file, binary or text (detected); 'own': the built-in pages";
 
@@ -168,10 +166,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
-      "Example:\n  darwinop motion list /darwin/Data/motion_4096.bin\nExit code: 0 ok, 1 'check' has findings or "
-      "the "
-      "robot ended 'play', 2 invalid arguments or file, 3 'play' needs --yes, 130 "
-      "Ctrl-C.");
+      "Example:\n  darwinop motion list own\nExit code: 0 done; 1 'check' has findings, the robot ended 'play', or its "
+      "recording is incomplete; 2 wrong arguments, file or robot: nothing moved; 3 'play' needs --yes; 130 Ctrl-C");
   if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   return action(a);
 }
@@ -179,10 +175,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "darwinop motion: %s\n", error.what());
-    return kWrong;
-  }
+  return darwinop::app::runTool("darwinop motion", [&] { return run(argc, argv); });
 }

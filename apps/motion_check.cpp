@@ -5,14 +5,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "exit_codes.hpp"
 #include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/motion_file.hpp"
 #include "motion_own.hpp"
 
 namespace darwinop::motion {
 namespace {
-
-constexpr int kFound = 1;  // exit status
 
 /// Errors of the file are added to `findings`; returns the readable pages.
 PageFile readForCheck(const std::string& path, std::vector<std::string>& findings) {
@@ -38,10 +37,10 @@ int checkMotions(const std::string& file) {
   const PageFile pages = readForCheck(file, findings);
   for (std::string& finding : checkPages(pages)) findings.push_back(std::move(finding));
   for (const std::string& finding : findings) std::cout << finding << '\n';
-  if (!findings.empty()) return kFound;
+  if (!findings.empty()) return app::kFailed;
   const auto used = std::ranges::count_if(pages, [](const Page& page) { return page.canPlay(); });
   std::cout << file << ": " << used << (used == 1 ? " page" : " pages") << " to play, no findings\n";
-  return 0;
+  return app::kDone;
 }
 
 }  // namespace darwinop::motion

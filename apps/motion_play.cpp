@@ -10,11 +10,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <webots/Robot.hpp>
 #include <webots/utils/Motion.hpp>
 
 #include "connect/setting.hpp"
 #include "core/text/number_text.hpp"
+#include "exit_codes.hpp"
 #include "experiments/run/hardware.hpp"
 #include "experiments/run/recorded.hpp"
 #include "managers/motion_watch/motion_watch.hpp"
@@ -24,6 +24,7 @@
 #include "motion_preview.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
+#include "webots/tool_robot.hpp"
 
 namespace darwinop::motion {
 
@@ -110,7 +111,7 @@ class Stage {
   }
   static const Sensors& sensors() { return webots_api::currentRobot()->session().sensors(); }
 
-  webots::Robot robot_;
+  webots_api::ToolRobot robot_;
   const int step_ms_ = static_cast<int>(robot_.getBasicTimeStep());
   const double began_ = robot_.getTime();
   std::unique_ptr<managers::DARwInOPMotionManager> manager_;
@@ -133,9 +134,9 @@ bool playAll(const PlayRequest& request, bool is_motion) {
 int perform(const PlayRequest& request, bool is_motion) {
   const bool whole = playAll(request, is_motion);
   const bool is_recorded = experiments::reportRecording(request.record);
-  if (whole) return is_recorded ? kPlayed : kPlayEnded;
+  if (whole) return is_recorded ? app::kDone : app::kFailed;
   std::cerr << (webots_api::stopRequested() ? kStoppedOnRequest : "ended by the robot, see above\n");
-  return webots_api::stopRequested() ? kPlayStopped : kPlayEnded;
+  return webots_api::stopRequested() ? app::kStopped : app::kFailed;
 }
 
 void setForRobot(const char* name, const std::string& value) {
@@ -152,7 +153,7 @@ int play(PlayRequest request) {
   if (request.robot.empty()) request.robot = "twin";
   const connect::Setting robot = connect::readSetting(request.robot);
   std::cout << preview << "on: " << request.robot << std::endl;
-  if (experiments::mayBeHardware(request.robot) && !agreed(request)) return kPlayNeedsYes;
+  if (experiments::mayBeHardware(request.robot) && !agreed(request)) return app::kNeedsYes;
   if (connect::loopIsElsewhere(robot) && !request.record.empty())
     throw std::runtime_error(
         "the loop of this robot runs in the daemon, which writes recordings itself: start it with darwinop runtime "

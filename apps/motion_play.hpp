@@ -15,10 +15,8 @@ struct PlayRequest {
   bool yes = false;        // do not ask before moving a real robot
 };
 
-// Exit statuses, docs/motion-command.md.
-inline constexpr int kPlayed = 0, kPlayEnded = 1, kPlayNeedsYes = 3, kPlayStopped = 130;
-
-/// Throws std::runtime_error before anything moves.
+/// Returns the exit code. Throws std::runtime_error before anything moves, webots_api::EndedBeforeReady also after
+/// that.
 int play(PlayRequest request);
 
 }  // namespace darwinop::motion

@@ -5,19 +5,19 @@
 #include <optional>
 #include <utility>
 
+#include "exit_codes.hpp"
+
 namespace darwinop::app {
 
-inline constexpr int kWrongArguments = 2;
-
 /// As CLI::App::parse(). Nothing: go on. Otherwise the program ends with this code: help or version was printed (0), or
-/// a mistake (kWrongArguments).
+/// a mistake (kWrong).
 template <class... Arguments>
 std::optional<int> parseArguments(CLI::App& app, Arguments&&... arguments) {
   try {
     app.parse(std::forward<Arguments>(arguments)...);
     return std::nullopt;
   } catch (const CLI::ParseError& mistake) {
-    return app.exit(mistake) == 0 ? 0 : kWrongArguments;
+    return app.exit(mistake) == 0 ? 0 : kWrong;
   }
 }
 

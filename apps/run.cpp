@@ -125,7 +125,7 @@ int main(int count, char** arguments) try {
   request.command = app.remaining();
   if (!request.command.empty() && request.command.front() != "--" && request.command.front().starts_with('-')) {
     std::cerr << "darwinop run: unknown option " << request.command.front() << "; see darwinop run --help\n";
-    return darwinop::app::kWrongArguments;
+    return darwinop::app::kWrong;
   }
   const auto all_theirs = std::find(request.command.begin(), request.command.end(), "--");
   if (all_theirs != request.command.end()) request.command.erase(all_theirs);

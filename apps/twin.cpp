@@ -24,8 +24,6 @@ namespace {
 
 namespace twin = darwinop::twin;
 
-constexpr int kWrong = 2;  // exit status: invalid or unusable arguments
-
 struct Arguments {
   twin::ShowOptions show;
   std::string picture, pose = "start";
@@ -135,6 +133,6 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "darwinop twin: %s\n", error.what());
-    return kWrong;
+    return darwinop::app::kWrong;
   }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "apps/colour_search/frame_search.hpp"
+#include "exit_codes.hpp"
 #include "hal/net/ssh/target.hpp"
 #include "hal/net/web/server.hpp"
 #include "hal/signals.hpp"
@@ -166,5 +167,5 @@ int main(int count, char** arguments) try {
   return openWindow(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop window: " << error.what() << '\n';
-  return 1;
+  return darwinop::app::kWrong;
 }

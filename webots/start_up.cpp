@@ -16,6 +16,7 @@
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
+#include "webots/tool_robot.hpp"
 
 namespace darwinop::webots_api {
 
@@ -65,7 +66,7 @@ std::unique_ptr<RobotImpl> start() {
   request.record_notes = environment("DARWINOP_RECORD_NOTES");
   auto robot = std::make_unique<RobotImpl>(connect::connect(request), reading.config, stopRequested());
   const std::string why_not = robot->begin();
-  if (!why_not.empty()) throw std::runtime_error(why_not);
+  if (!why_not.empty()) throw EndedBeforeReady(why_not);
   return robot;
 }
 
@@ -99,6 +100,8 @@ RobotImpl* connectOrExit() {
     std::exit(EXIT_FAILURE);
   }
 }
+
+ToolRobot::ToolRobot() : Robot{connectOrThrow()} {}
 
 void setProgramDirectory(const std::string& directory) {
   otherProgramDirectory() = directory;

@@ -5,7 +5,7 @@
 
 namespace darwinop::demo {
 
-/// Exit status: 0 completed or ended by the user, 1 fell. Throws std::runtime_error.
+/// Exit code: 0 completed or ended by the user, 1 fell. Throws std::runtime_error.
 int walk(const twin::ShowOptions& options);
 
 }  // namespace darwinop::demo

@@ -57,6 +57,12 @@ TEST_F(CommandLine, DoctorRefusesARobotWithoutAPort) {
   EXPECT_EQ(call("doctor --robot virtual").status, 2);
 }
 
+TEST_F(CommandLine, AWindowThatCannotBeOpenedEndsWithStatus2) {
+  const Outcome refused = call("window --robot /dev/ttyUSB0");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, HasSubstr("darwinop runtime --robot /dev/ttyUSB0"));
+}
+
 TEST_F(CommandLine, WrongArgumentsEndEveryProgramWithStatus2) {
   for (const char* name : {"calibrate", "demo", "doctor", "experiment", "gap", "monitor", "motion", "remote", "run",
                            "runtime", "supervisor", "twin", "virtual-camera", "virtual-robot", "window"}) {

@@ -17,8 +17,10 @@
 #include "connect/keys.hpp"
 #include "fixture.hpp"
 #include "support/temporary_folder.hpp"
+#include "run_tool.hpp"
 #include "webots/messages.hpp"
 #include "webots/stop_signals.hpp"
+#include "webots/tool_robot.hpp"
 
 namespace {
 darwinop::webots_api::FakeRobot* robot_to_meet = nullptr;
@@ -118,6 +120,28 @@ TEST_F(StartUp, AFailedStartCanBeCaught) {
   robot_to_meet = &fake_;
   const webots::Robot robot;
   EXPECT_THROW(connectOrThrow(), std::runtime_error) << "there is one already";
+}
+
+/// Exit code of a program that makes a robot.
+int codeOfTool() {
+  return app::runTool("darwinop tool", [] {
+    const ToolRobot robot;
+    return app::kDone;
+  });
+}
+
+TEST_F(StartUp, TheExitCodeOfAToolSaysWhetherTheRobotMayHaveMoved) {
+  EXPECT_EQ(codeOfTool(), app::kDone);
+  robot_to_meet = nullptr;
+  EXPECT_EQ(codeOfTool(), app::kWrong);
+  robot_to_meet = &fake_;
+  fake_.image.safety.controller_must_end = true;
+  EXPECT_EQ(codeOfTool(), app::kFailed);
+}
+
+TEST_F(StartUp, CtrlCBeforeTheRobotIsReadyEndsAToolAsStopped) {
+  fake_.during_wait = [] { std::raise(SIGINT); };
+  EXPECT_EQ(codeOfTool(), app::kStopped);
 }
 
 TEST_F(StartUp, CtrlCMakesStepReturnMinusOne) {

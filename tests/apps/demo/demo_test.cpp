@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "support/shell.hpp"
@@ -35,6 +36,15 @@ TEST(WalkDemo, RecordsTheRobotInSimulatedTime) {
   };
   EXPECT_GT(changed(frame("01"), frame("20")), 0.02) << "the robot stood up";
   EXPECT_GT(changed(frame("10"), frame("20")), 0.01) << "moving until the end";
+}
+
+TEST(WalkDemo, CtrlCEndsItAsStopped) {
+  const TemporaryFolder folder;
+  const Outcome stopped = shell("env -u DISPLAY -u WAYLAND_DISPLAY timeout --preserve-status -s INT 8 " DARWINOP_DEMO
+                                " walk --seconds 1000 --size 160x120 --record " +
+                                (folder / "pictures"));
+  EXPECT_EQ(stopped.status, 130) << stopped.said;
+  EXPECT_TRUE(std::filesystem::exists(folder / "pictures"));
 }
 
 TEST(WalkDemo, WithoutDisplayAWindowSuggestsAFilm) {

@@ -78,6 +78,11 @@ TEST_F(Command, AnExperimentThatCouldNotBeRecordedInFullFails) {
   EXPECT_THAT(program.output(), Not(HasSubstr(experiments::kRecorded)));
 }
 
+TEST_F(Command, ARecordingThatCannotBeWrittenMovesNothing) {
+  EXPECT_EQ(experiment({"run", "chirp", "--robot", "virtual", "--record", file("none/log.csv")}), 2);
+  EXPECT_THAT(output, HasSubstr(std::strerror(ENOENT)));
+}
+
 TEST_F(Command, SuggestsTheClosestNameForAnUnknownOne) {
   EXPECT_EQ(experiment({"show", "sped"}), 2);
   EXPECT_THAT(output, HasSubstr("did you mean speed?"));

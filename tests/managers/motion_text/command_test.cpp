@@ -211,6 +211,7 @@ TEST_F(MotionPlay, NothingMovesAfterAnError) {
   EXPECT_THAT(output_, HasSubstr("page 13 is empty"));
   EXPECT_EQ(run({"play", "own", "9", "--robot", "nonsense"}), 2);
   EXPECT_THAT(output_, HasSubstr("twin[:MODEL]"));
+  EXPECT_EQ(run({"play", "own", "9", "--robot", "virtual", "--record", folder_ / "none/log.csv"}), 2);
 }
 
 TEST_F(MotionPlay, ARealRobotNeedsYesAndReceivesNothing) {

@@ -1,0 +1,15 @@
+// Exit codes of programs that move a robot for a while, and of those that show one; docs/experiments.md and
+// docs/motion-command.md list them for users.
+#pragma once
+
+namespace darwinop::app {
+
+inline constexpr int kDone = 0;
+/// It began, and did not end as asked: ended by the robot, a fall, an incomplete recording, findings.
+inline constexpr int kFailed = 1;
+/// Nothing has begun: arguments, files, or a robot that cannot be opened.
+inline constexpr int kWrong = 2;
+inline constexpr int kNeedsYes = 3;
+inline constexpr int kStopped = 130;  // by Ctrl-C or another signal that asks for the end
+
+}  // namespace darwinop::app

@@ -1,0 +1,23 @@
+// Robot of a program that is not a controller: an experiment, a motion that is played.
+#pragma once
+
+#include <stdexcept>
+#include <webots/Robot.hpp>
+
+namespace darwinop::webots_api {
+
+/// Thrown after the loop has begun, while the robot was made ready: it may have moved. All other errors of a start are
+/// thrown before.
+class EndedBeforeReady : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// As webots::Robot, but errors are thrown.
+class ToolRobot : public webots::Robot {
+ public:
+  /// Throws EndedBeforeReady, or another std::runtime_error.
+  ToolRobot();
+};
+
+}  // namespace darwinop::webots_api
