@@ -131,8 +131,8 @@ class RobotImpl {
 /// message and ends the program.
 RobotImpl* connectOrExit();
 
-/// The same, but throws std::exception with the reason instead of ending the program.
-RobotImpl* connectOrThrow();
+/// The same, but throws std::exception with the reason instead of ending the program. `is_tool`: for ToolRobot.
+RobotImpl* connectOrThrow(bool is_tool = false);
 
 /// The robot of this process; null: none.
 RobotImpl* currentRobot();

@@ -49,11 +49,14 @@ std::optional<Nanos> periodFromEnvironment() {
   return std::chrono::milliseconds{ms};
 }
 
-std::unique_ptr<RobotImpl> start() {
+std::unique_ptr<RobotImpl> start(bool is_tool) {
   const std::string directory = programDirectory();
   // Paths are relative to the program's folder, as on the robot since 2013.
   if (environment("DARWINOP_KEEP_CWD") != "1") std::filesystem::current_path(directory);
-  const ConfigReading reading = readConfig(directory + "/config.ini");
+  const std::string file = directory + "/config.ini";
+  // A tool needs none, but one beside it may limit the robot.
+  const bool needs_none = is_tool && !std::filesystem::exists(file);
+  const ConfigReading reading = needs_none ? ConfigReading{} : readConfig(file);
   for (const std::string& warning : reading.warnings) logLine(warning);
 
   connect::ConnectRequest request;
@@ -61,7 +64,7 @@ std::unique_ptr<RobotImpl> start() {
   request.period = periodFromEnvironment();
   request.safety = reading.config.safety;
   if (request.period) request.safety.period = *request.period;
-  request.config_file = directory + "/config.ini";
+  request.config_file = file;
   request.record_path = environment("DARWINOP_RECORD");
   request.record_notes = environment("DARWINOP_RECORD_NOTES");
   auto robot = std::make_unique<RobotImpl>(connect::connect(request), reading.config, stopRequested());
@@ -78,12 +81,12 @@ std::string& otherProgramDirectory() {
 
 }  // namespace
 
-RobotImpl* connectOrThrow() {
+RobotImpl* connectOrThrow(bool is_tool) {
   if (current) throw std::runtime_error(messages::kSecondRobot);
   installStopSignals();
   // Line-buffered output also into a pipe (PC, log): it appears immediately and survives a crash.
   if (isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  current = start().release();
+  current = start(is_tool).release();
   owner = getpid();
   owning_thread = std::this_thread::get_id();
   if (std::get_terminate() != endAfterException) usual_end = std::set_terminate(endAfterException);
@@ -101,7 +104,7 @@ RobotImpl* connectOrExit() {
   }
 }
 
-ToolRobot::ToolRobot() : Robot{connectOrThrow()} {}
+ToolRobot::ToolRobot() : Robot{connectOrThrow(true)} {}
 
 void setProgramDirectory(const std::string& directory) {
   otherProgramDirectory() = directory;

@@ -13,7 +13,7 @@ class EndedBeforeReady : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// As webots::Robot, but errors are thrown.
+/// As webots::Robot, but errors are thrown, and what only the author of a controller can use is not printed.
 class ToolRobot : public webots::Robot {
  public:
   /// Throws EndedBeforeReady, or another std::runtime_error.

@@ -16,8 +16,8 @@
 #include "connect/connect.hpp"
 #include "connect/keys.hpp"
 #include "fixture.hpp"
-#include "support/temporary_folder.hpp"
 #include "run_tool.hpp"
+#include "support/temporary_folder.hpp"
 #include "webots/messages.hpp"
 #include "webots/stop_signals.hpp"
 #include "webots/tool_robot.hpp"
@@ -120,6 +120,15 @@ TEST_F(StartUp, AFailedStartCanBeCaught) {
   robot_to_meet = &fake_;
   const webots::Robot robot;
   EXPECT_THROW(connectOrThrow(), std::runtime_error) << "there is one already";
+}
+
+TEST_F(StartUp, AToolNeedsNoConfigIniButReadsOneThatIsThere) {
+  testing::internal::CaptureStderr();
+  { const ToolRobot robot; }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  writeConfig("[Safety]\nstall_ms=250\n");
+  { const ToolRobot robot; }
+  EXPECT_EQ(request_seen.safety.stall_ms, 250);
 }
 
 /// Exit code of a program that makes a robot.
