@@ -141,6 +141,7 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   out(records, "folder for the case")->required();
   records->add_option("--model", given.model, "what the robot is compared with; else darwin-op");
   records->add_flag("--floor", given.floor, "one more recording, standing on the floor");
+  records->add_flag("--resume", given.resume, "keep the recordings in the folder and make the others");
   records->add_flag("--yes", given.yes, "ask nothing: the robot stands ready, and moves");
   CLI::App* const plan = on_case(add("plan", "the most informative next experiment, docs/gap/plan.md", gap::planNext));
   plan->add_option("--against", given.against,

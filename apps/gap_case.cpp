@@ -29,7 +29,7 @@ int fromRaw(const Arguments& given, const std::string& folder) {
 
 int toBam(const Arguments& given) {
   const Case read = readCase(given.to_bam);
-  std::filesystem::create_directories(given.out);
+  makeFolder(given.out);
   for (const Trajectory& log : read.logs)
     writeTextFile(std::filesystem::path{given.out} / std::filesystem::path{log.file}.stem().concat(".json"),
                   asBamJson(read, log, read.model.name));

@@ -11,6 +11,7 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 
 #include "gap/report/data_hash.hpp"
 #include "hal/process/child_process.hpp"
@@ -62,6 +63,12 @@ std::string textOf(const std::string& path) {
 
 void requireNew(const std::string& path) {
   if (fs::exists(path)) throw std::runtime_error(path + messages::kOutExists);
+}
+
+void makeFolder(const std::string& path) {
+  std::error_code failed;
+  fs::create_directories(path, failed);
+  if (failed) throw std::runtime_error("cannot make the folder " + path + ": " + failed.message());
 }
 
 std::string newCaseFile(const std::string& folder) {

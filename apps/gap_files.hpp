@@ -8,13 +8,17 @@
 namespace darwinop::gap {
 namespace messages {
 inline constexpr const char* kOutExists = " exists; give another folder with --out";
-}
+inline constexpr const char* kRecordingExists =
+    " exists; --resume keeps the recordings there and makes the others, or give another folder with --out";
+}  // namespace messages
 
 /// Throws std::runtime_error with the path and the reason.
 std::string textOf(const std::string& path);
 
 /// Throws std::runtime_error if it exists.
 void requireNew(const std::string& path);
+/// With those above it, as far as they are missing. Throws std::runtime_error with the path and the reason.
+void makeFolder(const std::string& path);
 /// PATH of the case.json that a command will write into the folder; throws std::runtime_error if it exists.
 std::string newCaseFile(const std::string& folder);
 /// Before a long computation: throws as writeTextFile() would after it. Nothing stays, and no file is changed.

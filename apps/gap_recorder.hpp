@@ -1,0 +1,62 @@
+// Makes the recordings of a case of the whole robot, one after the other, and looks at each at once.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "gap/plant/body/resting_imu.hpp"
+#include "gap/record/recordings.hpp"
+#include "gap_commands.hpp"
+
+namespace darwinop::gap {
+
+namespace messages {
+inline constexpr const char* kKept = "kept";  // with --resume
+inline constexpr const char* kRecordedInPart =
+    "the recording is incomplete, the cause is above; make room, or choose another folder";
+}  // namespace messages
+
+/// A recording has a name of its own until it is found good, or kept by the user: what has the name of the plan is to
+/// be used.
+class BodyRecorder {
+ public:
+  /// `model`: name or file of the model that the robot is compared with. `end_signal`: the signal that asks for the
+  /// end; 0: none. All must outlive the recorder.
+  BodyRecorder(const Arguments& given, RecordedRobot robot, std::string model, const std::atomic<int>& end_signal);
+
+  /// Takes over the recordings of a former run. Throws BadInput if one cannot be used.
+  void keep(const std::vector<PlannedRecording>& plans);
+  /// Makes the others. False: stopped by the user.
+  [[nodiscard]] bool record(const std::vector<PlannedRecording>& plans);
+  /// In the order of their plans.
+  [[nodiscard]] std::vector<MadeRecording> made(const std::vector<PlannedRecording>& plans) const;
+
+ private:
+  [[nodiscard]] bool isSimulated() const { return robot_ == RecordedRobot::kSimulated; }
+  [[nodiscard]] bool asks() const { return !given_.yes && !isSimulated(); }
+  [[nodiscard]] bool isEnded() const { return end_signal_ != 0; }
+  [[nodiscard]] std::string fileOf(const PlannedRecording& plan) const;
+  [[nodiscard]] const MadeRecording* find(const PlannedRecording& plan) const;
+  [[nodiscard]] bool record(const PlannedRecording& plan);
+  /// Exit code of the experiment, which records into `file`.
+  [[nodiscard]] int run(const PlannedRecording& plan, const std::string& file) const;
+  /// What is wrong with it; a usable one is then the last of made().
+  [[nodiscard]] std::vector<std::string> look(const PlannedRecording& plan, const std::string& file, double session_s);
+  [[nodiscard]] std::vector<std::string> problems(int status, const PlannedRecording& plan, const std::string& file,
+                                                  double session_s);
+  [[nodiscard]] double sessionSeconds() const;
+
+  const Arguments& given_;
+  RecordedRobot robot_;
+  std::string model_;
+  const std::atomic<int>& end_signal_;
+  RestingImu imu_;
+  std::vector<MadeRecording> made_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  double earlier_s_ = 0;  // of the session, before this program began
+};
+
+}  // namespace darwinop::gap

@@ -1,0 +1,37 @@
+// Recordings of an earlier run are kept only if they are what is to be recorded.
+#include "gap/record/kept_recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiments/logs/read_log.hpp"
+#include "gap/case/case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+const std::string kHead =
+    "# darwinop log, format 1\n# robot: darwin-op\n# model: /dev/ttyUSB0\n# date: 2026-11-28T09:38:26Z\n"
+    "# experiment: body_sines\n";
+const std::string kRows = "time_s,a\n1,2\n", kEnd = "# end\n";
+
+double beginIn(const std::string& text, RecordedRobot robot = RecordedRobot::kPhysical) {
+  PlannedRecording plan;
+  plan.experiment = "body_sines";
+  return beginOf(logs::parseLog(text, "upright.csv"), plan, robot);
+}
+
+TEST(KeptRecording, BeganAtItsDate) {
+  EXPECT_EQ(beginIn(kHead + kRows + kEnd), 1795858706);
+}
+
+TEST(KeptRecording, IsRefusedIfItIsSomethingElse) {
+  EXPECT_THROW((void)beginIn(kRows), BadInput) << "not a recording";
+  EXPECT_THROW((void)beginIn(kHead + kRows), BadInput) << "cut off";
+  EXPECT_THROW((void)beginIn(kHead + kRows + kEnd, RecordedRobot::kSimulated), BadInput);
+  std::string other = kHead;
+  other.replace(other.find("body_sines"), 10, "body_chirp");
+  EXPECT_THROW((void)beginIn(other + kRows + kEnd), BadInput);
+}
+
+}  // namespace
+}  // namespace darwinop::gap
