@@ -25,6 +25,7 @@
 #include "window/drive/steering_session.hpp"
 #include "window/live/live_channel.hpp"
 #include "window/live/live_message.hpp"
+#include "window/messages.hpp"
 #include "window/page/assets.hpp"
 #include "window/page/body_json.hpp"
 #include "window/page/pages_json.hpp"
@@ -128,6 +129,8 @@ int openWindow(WindowArguments given) {
   if (target && !given.choice.monitor.empty())
     throw std::runtime_error("--monitor cannot be used with --robot tcp://USER@HOST, which starts a monitor there");
   endOnSignals();
+  if (window::hasNoRuntimeYet(given.choice, runtime::RuntimeFiles{given.name}))
+    logWindow(window::messages::kNoRuntimeYet);
   const std::unique_ptr<window::SimulatedRobot> own = window::startSimulatedRobot(given.choice, given.controller);
   if (!target) {
     showWindow(given, own.get(), nullptr);

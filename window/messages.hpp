@@ -18,6 +18,10 @@ inline constexpr const char* kNoHeartbeat = "No heartbeat from this page for hal
 inline constexpr const char* kNoRequests = "the window's program did not respond for 0.8 s. The robot holds.";
 inline constexpr const char* kNoTorque = "torque did not come on; check the servo power switch and the Faults tab";
 
+// Of the window's program.
+inline constexpr const char* kNoRuntimeYet =
+    "no runtime runs here; the page shows the robot when one does. Start it with: darwinop runtime";
+
 // Before the monitor's name and the reason.
 inline constexpr const char* kNoMonitor = "no connection to the monitor at ";
 

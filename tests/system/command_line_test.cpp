@@ -8,10 +8,12 @@
 #include "hal/replace_file.hpp"
 #include "hil-mocks/link_owner.hpp"
 #include "runtime/file_lock.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/names.hpp"
 #include "support/shell.hpp"
 #include "support/text_of.hpp"
 #include "system/rig.hpp"
+#include "window/messages.hpp"
 
 namespace darwinop {
 namespace {
@@ -61,6 +63,14 @@ TEST_F(CommandLine, AWindowThatCannotBeOpenedEndsWithStatus2) {
   const Outcome refused = call("window --robot /dev/ttyUSB0");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.said, HasSubstr("darwinop runtime --robot /dev/ttyUSB0"));
+}
+
+TEST_F(CommandLine, AWindowSaysThatItsControllerOrRuntimeIsNotThere) {
+  const Outcome refused = call("window nothere");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.said, std::string{"darwinop window: "} + runtime::messages::kNoSuchController + "nothere\n");
+  Program window{{program("darwinop-window"), "--robot", "runtime"}, file("window.txt")};
+  EXPECT_TRUE(window.says(window::messages::kNoRuntimeYet, std::chrono::seconds{10}));
 }
 
 TEST_F(CommandLine, WrongArgumentsEndEveryProgramWithStatus2) {

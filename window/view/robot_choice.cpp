@@ -7,6 +7,7 @@
 #include "connect/setting.hpp"
 #include "hal/net/names/resolve.hpp"
 #include "remote/client/tcp_link.hpp"
+#include "runtime/controller_run.hpp"
 #include "runtime/daemon_link.hpp"
 #include "window/live/monitor_source.hpp"
 #include "window/live/runtime_source.hpp"
@@ -51,12 +52,17 @@ std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
           "the window starts a controller only on its own virtual robot; start it with: darwinop run");
     return nullptr;
   }
+  if (!controller.empty()) (void)runtime::controllerProgram(controller.front());  // before anything starts
   if (robot == "virtual") return std::make_unique<SimulatedRobot>("plain", controller);
   if (robot == "twin" || robot.starts_with("twin:")) return std::make_unique<SimulatedRobot>(robot, controller);
   if (robot.starts_with('/'))
     throw std::runtime_error("the window does not open a port: start `darwinop runtime --robot " + robot +
                              "`, then `darwinop window --robot runtime`");
   throw std::runtime_error("unknown --robot " + robot + "; use twin, twin:MODEL, virtual, runtime or tcp://HOST");
+}
+
+bool hasNoRuntimeYet(const RobotChoice& choice, const runtime::RuntimeFiles& files) {
+  return choice.robot == "runtime" && !isRemote(choice) && runtime::daemonPid(files) == 0;
 }
 
 std::function<std::unique_ptr<CycleSource>()> cycleSourceOf(const RobotChoice& choice,

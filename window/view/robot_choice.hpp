@@ -23,10 +23,14 @@ struct RobotChoice {
 /// The robot is on another computer.
 [[nodiscard]] bool isRemote(const RobotChoice& choice);
 
+/// The local runtime is selected, and none runs.
+[[nodiscard]] bool hasNoRuntimeYet(const RobotChoice& choice, const runtime::RuntimeFiles& files);
+
 /// Receives errors, also from other threads.
 using LogLine = std::function<void(const std::string&)>;
 
-/// Starts the window's own virtual robot; null: another robot is selected. Throws std::runtime_error.
+/// Starts the window's own virtual robot; null: another robot is selected. Throws std::runtime_error, before anything
+/// starts if the arguments are wrong.
 std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
                                                     const std::vector<std::string>& controller);
 

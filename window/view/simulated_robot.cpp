@@ -55,7 +55,7 @@ void SimulatedRobot::start(const std::string& body, const std::vector<std::strin
   try {
     camera_settings_ = hil::cameraSettings(cameraFile(), connect::readRobotFile().camera.value_or("/dev/video0"));
   } catch (const std::runtime_error& error) {  // the page has pictures nevertheless
-    pending_message_ = std::string{"A controller on this virtual robot has no camera: "} + error.what() + ". ";
+    pending_message_ = std::string{"A controller on this virtual robot has no camera: "} + error.what() + ".";
   }
   if (controller.empty()) return;
   std::vector<std::string> environment = camera_settings_;
@@ -84,7 +84,8 @@ std::string SimulatedRobot::takeMessage() {
       ++child;
       continue;
     }
-    text += "darwinop " + (*child)->noun() + " has ended (status " + std::to_string(*status) + "). ";
+    if (!text.empty()) text += ' ';
+    text += "darwinop " + (*child)->noun() + " has ended (status " + std::to_string(*status) + ").";
     child = children_.erase(child);
   }
   return text;

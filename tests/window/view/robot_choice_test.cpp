@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "runtime/messages.hpp"
+
 namespace darwinop {
 namespace {
 
@@ -32,6 +34,20 @@ TEST(WindowRobotChoice, StartsAControllerOnlyOnItsOwnRobot) {
               AllOf(HasSubstr("twins"), HasSubstr("twin:MODEL")));
   EXPECT_THAT(whyNot([] { (void)window::startSimulatedRobot({.robot = "/dev/ttyUSB0"}, {}); }),
               HasSubstr("darwinop runtime --robot /dev/ttyUSB0"));
+}
+
+// The twin of such a window would run without a controller.
+TEST(WindowRobotChoice, AControllerThatIsNotThereIsReportedBeforeARobotStarts) {
+  for (const char* robot : {"twin", "virtual"})
+    EXPECT_THAT(whyNot([&] { (void)window::startSimulatedRobot({.robot = robot}, {"nothere"}); }),
+                HasSubstr(std::string{runtime::messages::kNoSuchController} + "nothere"));
+}
+
+TEST(WindowRobotChoice, ARuntimeThatDoesNotRunIsSeen) {
+  const runtime::RuntimeFiles nowhere{"/nowhere"};
+  EXPECT_TRUE(window::hasNoRuntimeYet({.robot = "runtime"}, nowhere));
+  EXPECT_FALSE(window::hasNoRuntimeYet({.robot = "twin"}, nowhere));
+  EXPECT_FALSE(window::hasNoRuntimeYet({.robot = "runtime", .monitor = "r:5024"}, nowhere));
 }
 
 TEST(WindowRobotChoice, ObservesOnlyWithAMonitorAlone) {
