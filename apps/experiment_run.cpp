@@ -53,7 +53,7 @@ void setIfGiven(const char* name, const std::string& value) {
 
 /// On the robot selected by the environment; on return the robot is at rest and the recording complete.
 RunOutcome drive(const Experiment& experiment, const Plan& plan) {
-  webots_api::ToolRobot robot;
+  webots_api::ToolRobot robot{{.trunk_is_held = experiment.setup.is_clamped}};
   const std::atomic<bool>& stop = installGentleStop();
   Progress progress{plan.seconds()};
   const auto report = [&](const std::string& phase, double seconds) { progress.update(phase, seconds); };

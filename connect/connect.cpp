@@ -40,6 +40,7 @@ runtime::LoopConfig loopConfig(const ConnectRequest& request) {
   config.robot = request.robot_name;
   config.record_path = request.record_path;
   config.record_notes = request.record_notes;
+  config.trunk_is_held = request.trunk_is_held;
   return config;
 }
 

@@ -23,6 +23,7 @@ struct ConnectRequest {
   std::string record_path;                 // CSV of every cycle; empty: none
   std::string record_notes;                // further lines of its head, "key: value"
   std::string robot_name = "darwin-op";
+  bool trunk_is_held = false;  // by a stand or a person: a fall is then announced as expected, by an own loop
   std::function<void(const std::string&)> warn;  // receives each line of warnings; empty: stderr
 };
 

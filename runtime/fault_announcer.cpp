@@ -31,7 +31,13 @@ void FaultAnnouncer::update(const Sensors& seen) {
   }
 }
 
-std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sensors& seen) {
+/// With on_fall = limp, a fall ends the session: then it was not expected.
+std::string_view FaultAnnouncer::remedyOf(const FaultRow& fault, const SafetyReport& safety) const {
+  const bool is_expected = trunk_is_held_ && fault.fault == Fault::kFell && !safety.controller_must_end;
+  return is_expected ? kTrunkIsHeld : fault.remedy;
+}
+
+std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sensors& seen) const {
   const FaultRow& row = kFaultTable[fault];
   const bool active = seen.safety.active[fault];
   const bool begins = active && !memory.active;
@@ -53,7 +59,7 @@ std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sens
   memory.reported = memory.ever = true;
   memory.reported_ns = seen.time_ns;
   return line + nameOf(row) + jointOf(row, seen.safety) + ": " + std::string{row.meaning} + "; " +
-         std::string{row.remedy} + "\n";
+         std::string{remedyOf(row, seen.safety)} + "\n";
 }
 
 }  // namespace darwinop::runtime

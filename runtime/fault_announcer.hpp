@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 
 #include "core/sensors.hpp"
 
@@ -20,7 +21,12 @@ class FaultAnnouncer {
   /// Follow the fault's name; after the second comes the count.
   static constexpr const char *kIsOver = " is over\n", *kCameAndWent = " came and went ";
 
-  explicit FaultAnnouncer(std::ostream& out) : out_{out} {}
+  /// In place of the remedy of a fall, where the session states that the trunk is held.
+  static constexpr const char* kTrunkIsHeld = "expected: the trunk is held";
+
+  /// `trunk_is_held`: by a stand or a person, and a tilted one has not fallen. Changes this text only, nothing of
+  /// safety.
+  explicit FaultAnnouncer(std::ostream& out, bool trunk_is_held = false) : out_{out}, trunk_is_held_{trunk_is_held} {}
 
   /// Call with successive images. Some may be skipped; a fault that is only in skipped images is not reported.
   void update(const Sensors& seen);
@@ -33,9 +39,11 @@ class FaultAnnouncer {
     std::int64_t reported_ns = 0;  // time of the last reported begin
     std::uint32_t left_out = 0;    // begins omitted since
   };
-  [[nodiscard]] static std::string change(Memory& memory, std::size_t fault, const Sensors& seen);
+  [[nodiscard]] std::string_view remedyOf(const FaultRow& fault, const SafetyReport& safety) const;
+  [[nodiscard]] std::string change(Memory& memory, std::size_t fault, const Sensors& seen) const;
 
   std::ostream& out_;
+  bool trunk_is_held_;
   std::array<Memory, kFaults> memory_{};
 };
 

@@ -13,7 +13,8 @@
 
 namespace darwinop::runtime {
 
-FaultWatch::FaultWatch(const Latest<Sensors>& sensors) : sensors_{sensors}, thread_{[this] { run(); }} {}
+FaultWatch::FaultWatch(const Latest<Sensors>& sensors, bool trunk_is_held)
+    : sensors_{sensors}, trunk_is_held_{trunk_is_held}, thread_{[this] { run(); }} {}
 
 FaultWatch::~FaultWatch() {
   {
@@ -31,7 +32,7 @@ void FaultWatch::run() {
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
   NeverWaitingBuffer buffer{STDERR_FILENO};  // the end of the loop must not wait for a reader of stderr
   std::ostream out{&buffer};
-  FaultAnnouncer announcer{out};
+  FaultAnnouncer announcer{out, trunk_is_held_};
   Sensors seen;
   std::unique_lock lock{mutex_};
   for (bool last = false; !last;) {

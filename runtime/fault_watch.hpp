@@ -12,7 +12,8 @@ namespace darwinop::runtime {
 /// Reads the newest sensors ten times a second and writes to stderr. Independent of the loop.
 class FaultWatch {
  public:
-  explicit FaultWatch(const Latest<Sensors>& sensors);
+  /// `trunk_is_held`: as FaultAnnouncer has it.
+  FaultWatch(const Latest<Sensors>& sensors, bool trunk_is_held);
   /// Reads once more, so that faults of a short run are reported.
   ~FaultWatch();
   FaultWatch(const FaultWatch&) = delete;
@@ -22,6 +23,7 @@ class FaultWatch {
   void run();
 
   const Latest<Sensors>& sensors_;
+  bool trunk_is_held_;
   std::mutex mutex_;
   std::condition_variable ending_;
   bool stop_ = false;

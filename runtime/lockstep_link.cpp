@@ -14,7 +14,7 @@ LockstepLink::LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> b
       host_{config, std::move(bus), exchange(), LoopStats::Timed::kNo, Recorder::Writer::kByHand},
       driver_{host_.loop(), *clock_, config.period},
       open_camera_{std::move(open_camera)},
-      announcer_{std::cerr} {
+      announcer_{std::cerr, config.trunk_is_held} {
   beginSession();
 }
 

@@ -22,6 +22,7 @@ struct LoopConfig {
   std::string record_path;          // empty: no recording
   std::string record_notes;         // LogHead::notes
   RealTimeConfig real_time{};       // ignored in lockstep
+  bool trunk_is_held = false;       // for messages: FaultAnnouncer
 };
 
 /// Returns `config`. Throws std::runtime_error if the period is out of range.

@@ -8,7 +8,7 @@ ThreadedLink::ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> b
       rest_{checked(config).safety, config.period},
       host_{config, std::move(bus), exchange(), LoopStats::Timed::kYes, Recorder::Writer::kThread},
       driver_{host_.loop(), clock_, config.period, config.real_time},
-      watch_{block().sensors} {
+      watch_{block().sensors, config.trunk_is_held} {
   beginSession();
 }
 

@@ -54,7 +54,8 @@ void Motor::setControlPID(double p, double i, double d) {
   if (i != 0 || d != 0)
     warnOnce("setControlPID() of " + getName() + ": i and d have no effect on this robot, only p has");
   if (p < 0) return warnOnce("setControlPID() of " + getName() + ": a negative p is ignored");
-  if (p < 3) warnOnce("setControlPID() of " + getName() + ": with p under 3 the motor may not reach its goal");
+  if (p < 3 && !robot_.is_tool)
+    warnOnce("setControlPID() of " + getName() + ": with p under 3 the motor may not reach its goal");
   control_.setPGain(p);
 }
 

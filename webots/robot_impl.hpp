@@ -28,6 +28,8 @@ class Device;
 
 namespace darwinop::webots_api {
 
+struct ToolSession;
+
 class RobotImpl {
  public:
   /// `stop` becomes true when the user requests the controller to end.
@@ -97,6 +99,7 @@ class RobotImpl {
   const void* joints_taken_by = nullptr;
   int battery_period = 0;  // ms, as set by the controller
   std::string custom_data;
+  bool is_tool = false;  // of a ToolRobot: a setting that a controller is warned of is meant
 
  private:
   void addDevices();  // devices.cpp
@@ -131,8 +134,9 @@ class RobotImpl {
 /// message and ends the program.
 RobotImpl* connectOrExit();
 
-/// The same, but throws std::exception with the reason instead of ending the program. `is_tool`: for ToolRobot.
-RobotImpl* connectOrThrow(bool is_tool = false);
+/// The same, but throws std::exception with the reason instead of ending the program. `tool`: of a
+/// ToolRobot; null: a controller.
+RobotImpl* connectOrThrow(const ToolSession* tool = nullptr);
 
 /// The robot of this process; null: none.
 RobotImpl* currentRobot();

@@ -49,13 +49,13 @@ std::optional<Nanos> periodFromEnvironment() {
   return std::chrono::milliseconds{ms};
 }
 
-std::unique_ptr<RobotImpl> start(bool is_tool) {
+std::unique_ptr<RobotImpl> start(const ToolSession* tool) {
   const std::string directory = programDirectory();
   // Paths are relative to the program's folder, as on the robot since 2013.
   if (environment("DARWINOP_KEEP_CWD") != "1") std::filesystem::current_path(directory);
   const std::string file = directory + "/config.ini";
   // A tool needs none, but one beside it may limit the robot.
-  const bool needs_none = is_tool && !std::filesystem::exists(file);
+  const bool needs_none = tool != nullptr && !std::filesystem::exists(file);
   const ConfigReading reading = needs_none ? ConfigReading{} : readConfig(file);
   for (const std::string& warning : reading.warnings) logLine(warning);
 
@@ -67,7 +67,9 @@ std::unique_ptr<RobotImpl> start(bool is_tool) {
   request.config_file = file;
   request.record_path = environment("DARWINOP_RECORD");
   request.record_notes = environment("DARWINOP_RECORD_NOTES");
+  request.trunk_is_held = tool != nullptr && tool->trunk_is_held;
   auto robot = std::make_unique<RobotImpl>(connect::connect(request), reading.config, stopRequested());
+  robot->is_tool = tool != nullptr;
   const std::string why_not = robot->begin();
   if (!why_not.empty()) throw EndedBeforeReady(why_not);
   return robot;
@@ -81,12 +83,12 @@ std::string& otherProgramDirectory() {
 
 }  // namespace
 
-RobotImpl* connectOrThrow(bool is_tool) {
+RobotImpl* connectOrThrow(const ToolSession* tool) {
   if (current) throw std::runtime_error(messages::kSecondRobot);
   installStopSignals();
   // Line-buffered output also into a pipe (PC, log): it appears immediately and survives a crash.
   if (isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  current = start(is_tool).release();
+  current = start(tool).release();
   owner = getpid();
   owning_thread = std::this_thread::get_id();
   if (std::get_terminate() != endAfterException) usual_end = std::set_terminate(endAfterException);
@@ -104,7 +106,7 @@ RobotImpl* connectOrExit() {
   }
 }
 
-ToolRobot::ToolRobot() : Robot{connectOrThrow(true)} {}
+ToolRobot::ToolRobot(const ToolSession& session) : Robot{connectOrThrow(&session)} {}
 
 void setProgramDirectory(const std::string& directory) {
   otherProgramDirectory() = directory;

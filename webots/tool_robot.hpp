@@ -6,6 +6,11 @@
 
 namespace darwinop::webots_api {
 
+/// What the program states about its session. Changes messages only, nothing of safety.
+struct ToolSession {
+  bool trunk_is_held = false;  // by a stand: a tilted one has not fallen
+};
+
 /// Thrown after the loop has begun, while the robot was made ready: it may have moved. All other errors of a start are
 /// thrown before.
 class EndedBeforeReady : public std::runtime_error {
@@ -17,7 +22,7 @@ class EndedBeforeReady : public std::runtime_error {
 class ToolRobot : public webots::Robot {
  public:
   /// Throws EndedBeforeReady, or another std::runtime_error.
-  ToolRobot();
+  explicit ToolRobot(const ToolSession& session = {});
 };
 
 }  // namespace darwinop::webots_api

@@ -11,6 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 /// Images 0.1 s apart and what was reported of each.
@@ -80,6 +81,29 @@ TEST(FaultAnnouncer, ReportsAfterFiveSecondsOfOneThatBeganMeanwhileAndLasts) {
   for (int i = 0; i < 50; ++i) text += l.look();
   EXPECT_THAT(text, StartsWith("darwinop: fault 30 fell: "));
   EXPECT_EQ(l.look(Fault::kFell, false), std::string{"darwinop: fault 30 fell"} + FaultAnnouncer::kIsOver);
+}
+
+TEST(FaultAnnouncer, AFallOfATrunkThatIsHeldIsExpectedAndOtherFaultsKeepTheirRemedy) {
+  Listener free, held;
+  FaultAnnouncer expecting{held.out, true};
+  const auto look = [&](Fault fault) {
+    held.set(fault, true);
+    ++held.seen.cycle;
+    held.out.str("");
+    expecting.update(held.seen);
+    return held.out.str();
+  };
+  const std::string remedy{row(Fault::kFell).remedy};
+  EXPECT_THAT(free.look(Fault::kFell, true), HasSubstr(remedy));
+  EXPECT_THAT(look(Fault::kFell), testing::AllOf(HasSubstr(FaultAnnouncer::kTrunkIsHeld), Not(HasSubstr(remedy))));
+  EXPECT_THAT(look(Fault::kBatteryLow), HasSubstr(row(Fault::kBatteryLow).remedy));
+  Listener ended;
+  FaultAnnouncer limp{ended.out, true};
+  ended.set(Fault::kFell, true);
+  ended.seen.cycle = 1;
+  ended.seen.safety.controller_must_end = true;
+  limp.update(ended.seen);
+  EXPECT_THAT(ended.out.str(), HasSubstr(remedy)) << "with on_fall = limp";
 }
 
 TEST(FaultAnnouncer, OneFaultDoesNotSilenceAnother) {

@@ -2,6 +2,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/faults.hpp"
 #include "gap_files.hpp"
 #include "gap_recorder.hpp"
 #include "system/gap_rig.hpp"
@@ -13,6 +14,7 @@ class GapRecordShort : public GapRig {};
 
 TEST_F(GapRecordShort, ARobotLikeItsModelHasNothingOpen) {
   record("twin");
+  EXPECT_EQ(said_.find(row(Fault::kFell).remedy), std::string::npos) << "on its side because it was asked to be";
   EXPECT_THAT(openSignals("darwin-op"), testing::IsEmpty());
   ASSERT_EQ(gap({"check", file("case")}, seconds{20}), 0) << said_;
   EXPECT_EQ(said_.find("Odd:"), std::string::npos) << said_;

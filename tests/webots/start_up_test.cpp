@@ -11,6 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <thread>
+#include <webots/Motor.hpp>
 
 #include "connect/camera.hpp"
 #include "connect/connect.hpp"
@@ -129,6 +130,20 @@ TEST_F(StartUp, AToolNeedsNoConfigIniButReadsOneThatIsThere) {
   writeConfig("[Safety]\nstall_ms=250\n");
   { const ToolRobot robot; }
   EXPECT_EQ(request_seen.safety.stall_ms, 250);
+}
+
+TEST_F(StartUp, OnlyAToolMayStateThatTheTrunkIsHeldAndMeansASmallGain) {
+  testing::internal::CaptureStderr();
+  {
+    ToolRobot robot{{.trunk_is_held = true}};
+    robot.getMotor("Neck")->setControlPID(1, 0, 0);
+    EXPECT_EQ(robot.step(16), 0);
+  }
+  EXPECT_TRUE(request_seen.trunk_is_held);
+  EXPECT_EQ(fake_.last().joint[index(Joint::kNeck)].p_gain, 1) << "it counts";
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  const webots::Robot robot;
+  EXPECT_FALSE(request_seen.trunk_is_held);
 }
 
 /// Exit code of a program that makes a robot.
