@@ -186,6 +186,7 @@ int command(int count, char** arguments) {
       "darwinop gap"};
   app.require_subcommand(1);
   app.fallthrough();  // --threads behind the command
+  app.set_version_flag("--version", DARWINOP_VERSION);
   app.add_option("--threads", given.threads, "threads to use; else one a core");
   const std::vector<Row> rows = describe(app, given);
   app.footer("Example:\n  darwinop gap run tests/gap/cases/example --out repaired.ini");

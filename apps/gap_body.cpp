@@ -71,7 +71,7 @@ int runBody(const Arguments& given) {
   }
   if (!given.no_report) {
     writeReport(report, folder);
-    showReport(given, folder, true);
+    showReport(given, folder, !report.answer["effects"].empty());
   }
   return exitCodeOf(found.verdict);
 }

@@ -89,10 +89,10 @@ std::string reportFolder(const Arguments& given, const std::string& otherwise) {
   return given.report.empty() ? (fs::path{"gap-report"} / folderName(otherwise)).string() : given.report;
 }
 
-void showReport(const Arguments& given, const std::string& folder, bool has_model) {
+void showReport(const Arguments& given, const std::string& folder, bool has_effects) {
   const std::string page = (fs::path{folder} / "report.html").string();
   std::cerr << "darwinop gap: " << page << " is the report; report.json beside it is for programs"
-            << (has_model ? ", repaired.ini the model with the effects" : "") << '\n';
+            << (has_effects ? messages::kModelOfReport : "") << '\n';
   if (given.open || (!given.no_open && !given.json && someoneIsThere())) openInBrowser(page);
 }
 

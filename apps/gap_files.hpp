@@ -8,6 +8,7 @@
 namespace darwinop::gap {
 namespace messages {
 inline constexpr const char* kOutExists = " exists; give another folder with --out";
+inline constexpr const char* kModelOfReport = ", repaired.ini the model with the effects";
 inline constexpr const char* kRecordingExists =
     " exists; --resume keeps the recordings there and makes the others, or give another folder with --out";
 }  // namespace messages
@@ -27,7 +28,7 @@ void requireWritable(const std::string& path);
 /// That of --report, else one under gap-report that is named after `otherwise`.
 std::string reportFolder(const Arguments& given, const std::string& otherwise);
 /// Says where the report is, and opens it where a person sits in front of a screen.
-void showReport(const Arguments& given, const std::string& folder, bool has_model);
+void showReport(const Arguments& given, const std::string& folder, bool has_effects);
 
 /// " --model FILE" as it was given; else nothing.
 std::string modelOption(const Arguments& given);

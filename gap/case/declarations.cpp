@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "core/text/joined.hpp"
+#include "core/text/nearest.hpp"
 #include "gap/case/baseline_keys.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
@@ -34,7 +35,7 @@ bool isOfServo(std::string_view key) {
          std::ranges::any_of(servoKeys(), [&](const ServoKey& one) { return one.json == key && one.of_voltage_p; });
 }
 
-std::string allKeys() {
+std::vector<std::string> allKeys() {
   std::vector<std::string> keys;
   for (const BenchKey& one : kBench) keys.emplace_back(one.key);
   keys.insert(keys.end(), std::begin(kOfLogs), std::end(kOfLogs));
@@ -42,7 +43,16 @@ std::string allKeys() {
   keys.insert(keys.end(), std::begin(kGain), std::end(kGain));
   for (const ServoKey& one : servoKeys())
     if (one.of_voltage_p && one.json != "supply_V") keys.emplace_back(one.json);
-  return text::joined(keys, ", ") +
+  return keys;
+}
+
+/// The closest key, or all.
+std::string suggestionFor(const std::string& key) {
+  std::vector<std::string> keys = allKeys();
+  std::vector<std::string_view> candidates{keys.begin(), keys.end()};
+  candidates.insert(candidates.end(), {"stall_Nm_at_12V", "stall_A_at_12V"});
+  if (const auto close = text::nearest(key, candidates)) return "; did you mean " + std::string{*close} + "?";
+  return "; there are " + text::joined(keys, ", ") +
          ", and load_raw and the like with an encoding, and payload_kg_rel_sigma and the like";
 }
 
@@ -50,7 +60,8 @@ double numberIn(const std::string& key, const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size())
-    throw BadInput("--declare " + key + "=" + text + " " + messages::kNotKeyValue);
+    throw BadInput("--declare " + key + "=" + text + " " +
+                   (text.find(',') == std::string::npos ? messages::kNotKeyValue : messages::kDecimalComma));
   return value;
 }
 
@@ -76,7 +87,7 @@ Declarations::Declarations(const std::vector<std::string>& words) {
     else if (isOfServo(key))
       servo_[key] = value;
     else
-      throw BadInput("--declare " + key + " " + messages::kNotDeclarable + allKeys());
+      throw BadInput("--declare " + key + " " + messages::kNotDeclarable + suggestionFor(key));
   }
 }
 

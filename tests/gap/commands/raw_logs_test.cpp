@@ -103,7 +103,11 @@ TEST(RawLogs, RefuseWhatCannotBeDeclared) {
   const Case bench = measuredBench();
   write(folder / "a.csv", logAsCsv(bench.logs[0]));
   const std::string run = kRun + (folder / "");
-  EXPECT_THAT(shell(run + " --declare lenght_m=0.1").said, HasSubstr(messages::kNotDeclarable));
+  EXPECT_THAT(shell(run + " --declare lenght_m=0.1").said,
+              AllOf(HasSubstr(messages::kNotDeclarable), HasSubstr(" length_m?")));
+  EXPECT_THAT(shell(run + " --declare stal_A_at_12V=1").said, HasSubstr(" stall_A_at_12V?"));
+  EXPECT_THAT(shell(run + " --declare colour=red").said, HasSubstr("payload_kg, "));
+  EXPECT_THAT(shell(run + kSheet + " --declare stall_Nm_at_12V=2,4").said, HasSubstr(messages::kDecimalComma));
   EXPECT_THAT(shell(run + " --declare kp=many").said, HasSubstr(messages::kNotKeyValue));
   EXPECT_THAT(shell(run + " --declare=kp").said, HasSubstr(messages::kNotKeyValue));
 }

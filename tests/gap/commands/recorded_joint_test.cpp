@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gap/case/case.hpp"
+#include "gap_files.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
@@ -23,7 +24,7 @@ class RecordedJoint : public testing::Test {
     const std::filesystem::path models{DARWINOP_TWIN_MODELS};
     std::filesystem::copy_file(models / "darwin-op.xml", folder_ / "darwin-op.xml",
                                std::filesystem::copy_options::overwrite_existing);
-    std::ofstream{folder_ / "robot.ini"} << textOf(models / "darwin-op.ini") << '\n' << lines;
+    std::ofstream{folder_ / "robot.ini"} << darwinop::textOf(models / "darwin-op.ini") << '\n' << lines;
     std::string recordings;
     for (const std::string name : {"steps", "slow_triangle", "chirp"}) {
       const std::string file = folder_ / (name + ".csv");
@@ -39,7 +40,7 @@ class RecordedJoint : public testing::Test {
   }
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> ids;
-    const auto json = nlohmann::json::parse(textOf(folder_ / "report/report.json"));
+    const auto json = nlohmann::json::parse(darwinop::textOf(folder_ / "report/report.json"));
     for (const auto& effect : json.at("effects")) ids.push_back(effect.at("id"));
     return ids;
   }
@@ -51,6 +52,7 @@ class RecordedJoint : public testing::Test {
 TEST_F(RecordedJoint, OfAnUnchangedTwinLacksNothing) {
   const Outcome answer = answerFor("");
   EXPECT_EQ(answer.status, kNone) << answer.said;
+  EXPECT_EQ(answer.said.find(messages::kModelOfReport), std::string::npos) << "there are none";
   const Case made = readCase(case_);
   for (const Trajectory& log : made.logs) {
     EXPECT_TRUE(log.isReadAfterWrite()) << log.file;
