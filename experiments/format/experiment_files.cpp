@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/text/joined.hpp"
+#include "experiments/format/messages.hpp"
 #include "experiments/format/quantity.hpp"
 
 namespace darwinop::experiments {
@@ -52,6 +53,9 @@ std::string findExperiment(const std::string& name) {
   }
   const auto files = filesByName();
   if (const auto found = files.find(name); found != files.end()) return found->second;
+  if (fs::is_regular_file(name + ".ini"))
+    throw std::runtime_error("there is no included experiment '" + name + "'" + messages::kOwnExperiment + name +
+                             ".ini");
   std::vector<std::string_view> names;
   names.reserve(files.size());
   for (const auto& [known, path] : files) names.push_back(known);

@@ -6,6 +6,7 @@ namespace darwinop::experiments::messages {
 // errors
 inline constexpr const char* kAddMoveBefore = "add a phase with goal = move before it";
 inline constexpr const char* kNameLetters = "use lower-case letters, digits, _ and -";
+inline constexpr const char* kOwnExperiment = "; name your own file by its path: ./";  // then the file
 inline constexpr const char* kNeitherSectionNorPair = "is neither a section nor key = value";
 inline constexpr const char* kPhaseNeedsName = "a phase needs a name";
 inline constexpr const char* kSweepUnused = "no phase uses these values";

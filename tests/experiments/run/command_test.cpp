@@ -12,6 +12,7 @@
 
 #include "experiments/format/messages.hpp"
 #include "experiments/run/recorded.hpp"
+#include "support/shell.hpp"
 #include "system/program.hpp"
 
 namespace darwinop {
@@ -86,6 +87,13 @@ TEST_F(Command, ARecordingThatCannotBeWrittenMovesNothing) {
 TEST_F(Command, SuggestsTheClosestNameForAnUnknownOne) {
   EXPECT_EQ(experiment({"show", "sped"}), 2);
   EXPECT_THAT(output, HasSubstr("did you mean speed?"));
+}
+
+TEST_F(Command, NamesTheFileThatAUserMayMean) {
+  std::ofstream{file("nod.ini")} << "[experiment]\n";
+  const Outcome refused = shell("cd " + folder_.string() + " && " DARWINOP_BIN "/darwinop-experiment run nod");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, HasSubstr(std::string{experiments::messages::kOwnExperiment} + "nod.ini\n"));
 }
 
 TEST_F(Command, GoalBeyondALimitMovesNothing) {
