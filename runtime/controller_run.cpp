@@ -139,6 +139,9 @@ std::string controllerProgram(const std::string& controller) {
     const fs::path script = path.string() + kPythonSuffix;
     if (!fs::exists(path) && fs::exists(script)) path = script;
   }
+  const fs::path built = fs::path{controller} / "build" / path.filename();
+  if (!fs::exists(path) && fs::is_directory(controller) && fs::exists(built))
+    throw std::runtime_error(messages::kNoSuchController + path.string() + messages::kBuiltIn + built.string());
   if (!fs::exists(path))
     throw std::runtime_error(messages::kNoSuchController + path.string() +
                              (fs::is_directory(controller) ? "; build it first (make, or ./dev build)" : ""));

@@ -5,6 +5,7 @@ namespace darwinop::runtime::messages {
 
 // controller_run.cpp
 inline constexpr const char* kNoSuchController = "there is no controller ";       // then its path
+inline constexpr const char* kBuiltIn = "; name the one that was built: ";        // then its path
 inline constexpr const char* kNotAProgram = " is not a program that may be run";  // after its path
 inline constexpr const char* kNoLoopLeft = "no loop is left: the joints keep their torque and last goals";
 

@@ -147,6 +147,9 @@ TEST(Run, SaysWhatItLookedFor) {
   EXPECT_EQ(refusal(folder / "none"), messages::kNoSuchController + (folder / "none"));
   EXPECT_THAT(refusal(folder / "walk"),
               AllOf(StartsWith(messages::kNoSuchController + (folder / "walk/walk")), HasSubstr("make")));
+  std::filesystem::create_directory(folder / "walk/build");
+  std::filesystem::create_symlink("/bin/true", folder / "walk/build/walk");
+  EXPECT_THAT(refusal(folder / "walk"), testing::EndsWith(messages::kBuiltIn + (folder / "walk/build/walk")));
   EXPECT_THAT(refusal("/etc/passwd"), StartsWith(std::string{"/etc/passwd"} + messages::kNotAProgram));
 }
 
