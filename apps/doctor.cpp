@@ -98,7 +98,7 @@ int examine(const std::string& asked, bool fix, bool json) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  CLI::App app{"Checks computer, port, board and servos; one line each, with a fix."};
+  CLI::App app{"Checks computer, port, board and servos; one line each, with a fix.", "darwinop doctor"};
   app.footer(kExample);
   std::string robot;
   bool fix = false, json = false;

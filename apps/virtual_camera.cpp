@@ -155,7 +155,7 @@ int serve(Arguments& a) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Simulates the robot's camera for selected programs.", "darwinop-virtual-camera"};
+  CLI::App app{"Simulates the robot's camera for selected programs.", "darwinop virtual-camera"};
   Arguments arguments;
   describe(app, arguments);
   app.set_version_flag("--version", DARWINOP_VERSION);

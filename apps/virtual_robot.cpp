@@ -184,7 +184,7 @@ int serve(const Arguments& a) {
 
 int run(int argc, char** argv) {
   CLI::App app{"A virtual DARwIn-OP: CM-730 board and twenty MX-28 servos on a pseudo terminal, paced at 1 Mbaud.",
-               "darwinop-virtual-robot"};
+               "darwinop virtual-robot"};
   Arguments arguments;
   describe(app, arguments);
   app.set_version_flag("--version", DARWINOP_VERSION);

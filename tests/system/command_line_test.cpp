@@ -76,9 +76,16 @@ TEST_F(CommandLine, AWindowSaysThatItsControllerOrRuntimeIsNotThere) {
 TEST_F(CommandLine, WrongArgumentsEndEveryProgramWithStatus2) {
   for (const char* name : {"calibrate", "demo", "doctor", "experiment", "gap", "monitor", "motion", "remote", "run",
                            "runtime", "supervisor", "twin", "virtual-camera", "virtual-robot", "window"}) {
-    EXPECT_EQ(call(std::string{name} + " --no-such-option").status, 2) << name;
+    const Outcome refused = call(std::string{name} + " --no-such-option");
+    EXPECT_EQ(refused.status, 2) << name;
+    EXPECT_THAT(refused.said, testing::StartsWith(std::string{"darwinop "} + name + ": "));
     EXPECT_EQ(call(std::string{name} + " --help").status, 0) << name;
+    EXPECT_EQ(call(std::string{name} + " --version").status, 0) << name;
   }
+}
+
+TEST_F(CommandLine, AWrongArgumentIsReportedWithTheCommandThatExplainsIt) {
+  EXPECT_THAT(call("motion play own 9 --peroid 8").said, HasSubstr("darwinop motion play --help"));
 }
 
 TEST_F(CommandLine, RunNamesAnOptionThatItDoesNotHave) {
