@@ -157,7 +157,7 @@ int command(int count, char** arguments) {
       "  darwinop calibrate imu --robot twin --yes --file robot.ini  try it without hardware\n"
       "  darwinop calibrate joints --robot /dev/ttyUSB0 --file robot.ini  on a PC, trunk in a stand\n"
       "  darwinop calibrate by-hand Neck FootR                       limp joints, held at zero\n"
-      "Exit status: 0 done, 1 nothing found or written, 2 invalid arguments, file or robot.");
+      "Exit status: 0 done, 1 nothing found or written, 2 invalid arguments, file or robot, 130 Ctrl-C in joints.");
   CalibrateOptions a;
   CLI::App& imu = *app.add_subcommand("imu", "gyroscope and accelerometer: bias, scale, mounting; nothing moves");
   describe(imu, a);

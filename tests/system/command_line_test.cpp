@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "apps/calibrate/joints/messages.hpp"
 #include "apps/calibrate/messages.hpp"
 #include "hal/replace_file.hpp"
 #include "hil-mocks/link_owner.hpp"
@@ -53,6 +54,15 @@ TEST_F(CommandLine, CalibrateSaysBeforeItMeasuresThatItCannotWrite) {
   const Outcome refused = call("calibrate imu --robot twin --yes --file none/robot.ini");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.said, testing::StartsWith(std::string{"darwinop calibrate: "} + kCannotWrite + "none/robot.ini"));
+}
+
+TEST_F(CommandLine, CtrlCDuringASweepEndsCalibrateAsStopped) {
+  const Outcome stopped = shell("cd " + folder_.string() +
+                                " && timeout --preserve-status -s INT 4 " DARWINOP_BIN
+                                "/darwinop-calibrate joints --robot twin --yes </dev/null");
+  EXPECT_EQ(stopped.status, 130);
+  EXPECT_THAT(stopped.said, AllOf(HasSubstr(calibrate::messages::kSweepStopped),
+                                  testing::Not(HasSubstr(calibrate::messages::kNothingSwept))));
 }
 
 TEST_F(CommandLine, DoctorRefusesARobotWithoutAPort) {

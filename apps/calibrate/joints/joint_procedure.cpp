@@ -20,9 +20,9 @@ std::vector<GravityPoint> sweepJoints(std::unique_ptr<runtime::RobotLink> link, 
       const std::vector<GravityPoint> points = sweeper.sweep(round, posture->up);
       out.insert(out.end(), points.begin(), points.end());
     }
-    log << posture->name << ": swept\n";
     sweeper.release();
     if (stop) return {};
+    log << posture->name << ": swept\n";
   }
   return out;
 }
