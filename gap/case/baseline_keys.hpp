@@ -20,7 +20,9 @@ struct ServoKey {
 std::span<const ServoKey> servoKeys();
 [[nodiscard]] twin::NumberRule ruleOf(const ServoKey& key);
 /// `servo_datasheet` has the keys of one law alone.
-[[nodiscard]] constexpr bool isOfDatasheet(const ServoKey& key) { return key.of_voltage_p != key.of_speed_p; }
+[[nodiscard]] constexpr bool isOfDatasheet(const ServoKey& key) {
+  return key.of_voltage_p != key.of_speed_p;
+}
 
 /// A baseline's friction is an effect of the model; a value of 0 is none.
 struct FrictionKey {
