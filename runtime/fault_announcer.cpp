@@ -31,10 +31,10 @@ void FaultAnnouncer::update(const Sensors& seen) {
   }
 }
 
-/// With on_fall = limp, a fall ends the session: then it was not expected.
+/// With on_fall = limp the limbs fall: that no setup expects.
 std::string_view FaultAnnouncer::remedyOf(const FaultRow& fault, const SafetyReport& safety) const {
-  const bool is_expected = trunk_is_held_ && fault.fault == Fault::kFell && !safety.controller_must_end;
-  return is_expected ? kTrunkIsHeld : fault.remedy;
+  const bool is_expected = trunk_is_held_ && fault.fault == Fault::kFell && safety.reaction != Reaction::kLimp;
+  return is_expected ? kExpected : fault.remedy;
 }
 
 std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sensors& seen) const {

@@ -22,7 +22,7 @@ class FaultAnnouncer {
   static constexpr const char *kIsOver = " is over\n", *kCameAndWent = " came and went ";
 
   /// In place of the remedy of a fall, where the session states that the trunk is held.
-  static constexpr const char* kTrunkIsHeld = "expected: the trunk is held";
+  static constexpr const char* kExpected = "expected in this setup";
 
   /// `trunk_is_held`: by a stand or a person, and a tilted one has not fallen. Changes this text only, nothing of
   /// safety.

@@ -95,15 +95,15 @@ TEST(FaultAnnouncer, AFallOfATrunkThatIsHeldIsExpectedAndOtherFaultsKeepTheirRem
   };
   const std::string remedy{row(Fault::kFell).remedy};
   EXPECT_THAT(free.look(Fault::kFell, true), HasSubstr(remedy));
-  EXPECT_THAT(look(Fault::kFell), testing::AllOf(HasSubstr(FaultAnnouncer::kTrunkIsHeld), Not(HasSubstr(remedy))));
+  EXPECT_THAT(look(Fault::kFell), testing::AllOf(HasSubstr(FaultAnnouncer::kExpected), Not(HasSubstr(remedy))));
   EXPECT_THAT(look(Fault::kBatteryLow), HasSubstr(row(Fault::kBatteryLow).remedy));
-  Listener ended;
-  FaultAnnouncer limp{ended.out, true};
-  ended.set(Fault::kFell, true);
-  ended.seen.cycle = 1;
-  ended.seen.safety.controller_must_end = true;
-  limp.update(ended.seen);
-  EXPECT_THAT(ended.out.str(), HasSubstr(remedy)) << "with on_fall = limp";
+  Listener limp;
+  FaultAnnouncer of_limp{limp.out, true};
+  limp.set(Fault::kFell, true);
+  limp.seen.cycle = 1;
+  limp.seen.safety.reaction = Reaction::kLimp;  // on_fall = limp
+  of_limp.update(limp.seen);
+  EXPECT_THAT(limp.out.str(), HasSubstr(remedy));
 }
 
 TEST(FaultAnnouncer, OneFaultDoesNotSilenceAnother) {
