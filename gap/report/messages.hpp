@@ -5,6 +5,7 @@ namespace darwinop::gap::messages {
 
 // Why an effect that improves the fit is not named: after its id, and after its title.
 inline constexpr const char* kPredictsAsWell = "predicts left-out logs as well";
+inline constexpr const char* kMayPredictBetter = "may predict left-out logs better";
 inline constexpr const char* kVoltage = "fits, but the measured voltage does not drop as this effect requires";
 inline constexpr const char* kUndecided = "possible; the report names the experiment that decides";
 inline constexpr const char* kNoPredictiveGain = "fits these logs and predicts no left-out log better";

@@ -7,6 +7,7 @@
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "gap/report/page_sections.hpp"
+#include "gap/report/rival_text.hpp"
 #include "gap/report/sentences.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -42,7 +43,7 @@ std::string foundText(const IdentifiedEffect& found) {
 }
 
 std::string behindText(const Rival& rival, const Identification& identification) {
-  if (identification.isSelectedByPrediction()) return messages::kPredictsAsWell;
+  if (identification.isSelectedByPrediction()) return predictionOf(rival, identification);
   return "the fit is worse by " + html::number(rival.behind, text::fixedText(rival.behind, 0)) +
          (rival.isClose() ? ", <strong>too little to decide</strong>" : "");
 }

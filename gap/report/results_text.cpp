@@ -11,6 +11,7 @@
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "gap/report/results.hpp"
+#include "gap/report/rival_text.hpp"
 #include "gap/report/sentences.hpp"
 
 namespace darwinop::gap {
@@ -84,10 +85,8 @@ std::string whatText(const Identification& identification) {
 
 /// "coulomb + backlash instead", or "backlash as well" of one that has all that was found.
 std::string asAlternative(const Rival& rival, const Identification& identification) {
-  std::vector<std::string> more = rival.effects;
-  for (const IdentifiedEffect& found : identification.effects) std::erase(more, found.effect->id);
-  const bool adds = !more.empty() && more.size() + identification.effects.size() == rival.effects.size();
-  return adds ? text::joined(more, " + ") + " as well" : text::joined(rival.effects, " + ") + " instead";
+  const std::vector<std::string> more = addedBy(rival, identification);
+  return more.empty() ? text::joined(rival.effects, " + ") + " instead" : text::joined(more, " + ") + " as well";
 }
 
 std::string rivalText(const Identification& identification) {
@@ -96,7 +95,7 @@ std::string rivalText(const Identification& identification) {
     const Rival& rival = identification.rivals[i];
     const std::string behind =
         identification.isSelectedByPrediction()
-            ? messages::kPredictsAsWell
+            ? predictionOf(rival, identification)
             : text::formatted("worse by %.0f%s", rival.behind, rival.isClose() ? ", not excluded" : "");
     text += line("%-9s %s: %s", i == 0 ? "rivals" : "", asAlternative(rival, identification).c_str(), behind.c_str());
   }

@@ -105,6 +105,9 @@ TEST(Summary, NamesTheExperimentForEachEffectThatIsUndecided) {
   identification.threshold = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(std::string{"deadband instead: "} + messages::kPredictsAsWell));
   EXPECT_THAT(asHtml(rig.report), HasSubstr(std::string{"</code> instead: "} + messages::kPredictsAsWell));
+  identification.rivals = {{{"coulomb", "torque_limit"}, 0}};
+  EXPECT_THAT(inOneLine(asText(rig.report)),
+              HasSubstr(std::string{"torque_limit as well: "} + messages::kMayPredictBetter));
 }
 
 TEST(Summary, ListsWhatWasTriedThoughNothingIsNamed) {
