@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 void deliver(const Report& report, const Arguments& given, const std::string& folder) {
   writeReport(report, folder);
-  showReport(given, folder, report.outcome != nullptr && report.outcome->identification.verdict != Verdict::kNone);
+  showReport(given, folder, report.outcome != nullptr && !report.outcome->identification.effects.empty());
 }
 
 bool hasEffect(const std::string& model, const std::string& id) {
