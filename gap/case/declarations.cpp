@@ -48,10 +48,12 @@ std::vector<std::string> allKeys() {
 
 /// The closest key, or all.
 std::string suggestionFor(const std::string& key) {
-  std::vector<std::string> keys = allKeys();
-  std::vector<std::string_view> candidates{keys.begin(), keys.end()};
-  candidates.insert(candidates.end(), {"stall_Nm_at_12V", "stall_A_at_12V"});
-  if (const auto close = text::nearest(key, candidates)) return "; did you mean " + std::string{*close} + "?";
+  const std::vector<std::string> keys = allKeys();
+  const std::vector<std::string_view> candidates{keys.begin(), keys.end()};
+  const std::size_t voltage = key.find("_at_");  // of the data sheet, any
+  const std::string of_voltage = voltage == std::string::npos ? "" : key.substr(voltage);
+  if (const auto close = text::nearest(key.substr(0, voltage), candidates))
+    return "; did you mean " + std::string{*close} + of_voltage + "?";
   return "; there are " + text::joined(keys, ", ") +
          ", and load_raw and the like with an encoding, and payload_kg_rel_sigma and the like";
 }

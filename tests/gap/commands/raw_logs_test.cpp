@@ -105,7 +105,7 @@ TEST(RawLogs, RefuseWhatCannotBeDeclared) {
   const std::string run = kRun + (folder / "");
   EXPECT_THAT(shell(run + " --declare lenght_m=0.1").said,
               AllOf(HasSubstr(messages::kNotDeclarable), HasSubstr(" length_m?")));
-  EXPECT_THAT(shell(run + " --declare stal_A_at_12V=1").said, HasSubstr(" stall_A_at_12V?"));
+  EXPECT_THAT(shell(run + " --declare stal_A_at_5V=1").said, HasSubstr(" stall_A_at_5V?"));
   EXPECT_THAT(shell(run + " --declare colour=red").said, HasSubstr("payload_kg, "));
   EXPECT_THAT(shell(run + kSheet + " --declare stall_Nm_at_12V=2,4").said, HasSubstr(messages::kDecimalComma));
   EXPECT_THAT(shell(run + " --declare kp=many").said, HasSubstr(messages::kNotKeyValue));
