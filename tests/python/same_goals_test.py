@@ -11,9 +11,8 @@ CPP_ALL_JOINTS = os.environ["DARWINOP_ALL_JOINTS"]
 # Over TCP goals travel in whole servo ticks, and a page or a walk starts at such a goal. No other goal differs. rad
 TCP_TOLERANCE = 2 * math.pi / 4096
 # In real time the newest image wins: of two that a delayed controller offers within a cycle, the first is never sent,
-# and where that makes a joint leap, safety limits its speed. That is allowed for one row in four: on a busy computer it was
-# one in eight.
-DELAYED = 0.25
+# and where that makes a joint leap, safety limits its speed. That is allowed for one row in ten.
+DELAYED = 0.1
 
 
 def in_order(rows, reference, tolerance):

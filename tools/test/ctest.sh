@@ -42,13 +42,12 @@ failed_in() { # LOG: names of the tests that failed
 
 # run_side_by_side PRESET [ARGUMENT...]: as run_tests, but processes in real time that fail beside others get two more
 # tries: a computer that others keep busy misses limits of seconds. All other failures are final.
-in_real_time='^(slow|browser|package|python|installer)$'  # labels
+in_real_time='^(slow|browser|python|installer)$'  # labels
 run_side_by_side() {
   run_tests "$@" && return
   [ -n "$(failed_in "build/$1.log")" ] || return 1
   ctest --preset "$1" -N -L "$in_real_time" | sed -n 's/^ *Test *#[0-9]*: //p' >"build/$1.waiting"
   ! failed_in "build/$1.log" | grep -qvxFf "build/$1.waiting" || return 1
-  cp "build/$1.summary" "build/$1-side-by-side.summary"
   try_again "$1" 2
 }
 
@@ -62,12 +61,14 @@ measure_tests() { run_tests "$1" || try_again "$1" 4; }
 try_again() {
   local status=0
   ! sanitizer_reported "$1" || return 1
+  failed_in "build/$1.log" >"build/$1.again"
   say "once more, with nothing in the background; time taken away so far: $(stolen_ms) ms"
   background_is STOP
   run_tests "$1" --rerun-failed --repeat "until-pass:$2" || status=$?
   background_is CONT
   say "time taken away now: $(stolen_ms) ms"
   ! sanitizer_reported "$1" || return 1
+  [ "$status" != 0 ] || sed "s/^/passed at a later try ($1): /" "build/$1.again" >>"build/$1.summary"
   return "$status"
 }
 sanitizer_reported() { grep -qE '(ERROR|WARNING): [A-Za-z]*Sanitizer|runtime error:' "build/$1.log"; }
