@@ -31,15 +31,16 @@ std::vector<Trial> trialsOf(const FittedModel& model, const EffectList& candidat
   for (const twin::EffectInfo* const one : candidates) {
     if (has(model.effects, *one) || aliasesAPrior(model.study->data, *one)) continue;
     const EffectList like = twin::doublesOf(*one);
-    Effects others = model.effects, few = model.effects;
-    std::erase_if(
-        few, [&](const ChosenEffect& effect) { return contains(hidden, effect.info) && contains(like, effect.info); });
-    if (few.size() == model.effects.size()) continue;
-    std::erase_if(others, [&](const ChosenEffect& effect) {
+    Effects without_part = model.effects, without_doubles = model.effects;
+    std::erase_if(without_doubles, [&](const ChosenEffect& effect) {
+      return contains(hidden, effect.info) && contains(like, effect.info);
+    });
+    if (without_doubles.size() == model.effects.size()) continue;
+    std::erase_if(without_part, [&](const ChosenEffect& effect) {
       return contains(hidden, effect.info) && (contains(like, effect.info) || effect.info->part == one->part);
     });
-    if (!contains(hidden, one)) others = few;
-    for (const Effects& kept : {few, others}) {
+    if (!contains(hidden, one)) without_part = without_doubles;
+    for (const Effects& kept : {without_doubles, without_part}) {
       auto trial = std::ranges::find(trials, kept, &Trial::kept);
       if (trial == trials.end()) trial = trials.insert(trials.end(), {kept, {}});
       if (!contains(trial->doubles, one)) trial->doubles.push_back(one);

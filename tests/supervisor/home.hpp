@@ -113,7 +113,7 @@ class Home : public Rig {
   }
 
   /// For a second: a busy computer may miss some cycles before the scripted fault.
-  static bool comesToBeOffline() {
+  static bool staysOffline() {
     auto since = std::chrono::steady_clock::now();
     return within(seconds{30}, [&since] {
       const auto now = std::chrono::steady_clock::now();

@@ -59,7 +59,7 @@ TEST_F(Home, AStopOfTheControllerCancelsARestartThatWaitsForARescue) {
   plan("hold");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands", seconds{12})) << supervisor_->output() << controllerLog();
-  ASSERT_TRUE(comesToBeOffline());
+  ASSERT_TRUE(staysOffline());
   kill(status().runtime_pid, SIGKILL);
   ASSERT_TRUE(says(messages::kCannotReachRobot, seconds{10})) << supervisor_->output();
   EXPECT_EQ(ask("--restart-controller"), 0) << said_;

@@ -141,7 +141,7 @@ TEST_F(Home, ARuntimeDeathDuringUnplugIsRescuedAfterReplug) {
   plan("hold");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands", seconds{8})) << supervisor_->output() << controllerLog();
-  ASSERT_TRUE(comesToBeOffline());
+  ASSERT_TRUE(staysOffline());
   kill(status().runtime_pid, SIGKILL);
   ASSERT_TRUE(says(messages::kCannotReachRobot, seconds{10})) << supervisor_->output();
   ASSERT_TRUE(says(messages::kRescued)) << supervisor_->output();

@@ -68,20 +68,20 @@ TEST_F(UnderTorque, AServoThatIgnoresTorqueOffIsNamedByTheRuntime) {
 
 TEST_F(UnderTorque, ABoardThatIsSilentAtTheEndLeavesAllJointsUnknown) {
   startUnderASupervisor("12 unplug for 600\n");
-  ASSERT_TRUE(comesToBeOffline());
+  ASSERT_TRUE(staysOffline());
   expectStopFailsFor(runtime::messages::kAllJoints);
 }
 
 TEST_F(UnderTorque, ABoardThatStallsIsReportedByTheRuntime) {
   startVirtualRobot("12 stall for 600\n");
-  expectDaemonFailsFor(runtime::messages::kAllJoints, comesToBeOffline);
+  expectDaemonFailsFor(runtime::messages::kAllJoints, staysOffline);
 }
 
 TEST_F(UnderTorque, ARobotThatWasLimpBeforeItsBoardBecameSilentIsAtRest) {
   startVirtualRobot("9 unplug for 600\n");
   startSupervisor();  // without a default controller
   ASSERT_TRUE(within(seconds{15}, [] { return sensors().safety.state == State::kLimp; })) << supervisor_->output();
-  ASSERT_TRUE(comesToBeOffline());
+  ASSERT_TRUE(staysOffline());
   EXPECT_EQ(ask("--stop"), 0) << said_;
   EXPECT_EQ(supervisor_->wait(seconds{5}), 0) << supervisor_->output();
 }
