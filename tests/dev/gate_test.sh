@@ -12,7 +12,7 @@ trap clean_up EXIT
 cd "$tree"
 mkdir -p tools/test
 cp -r "$source/tools/dev" tools/
-cp "$source/tools/test/run.sh" "$source/tools/test/background.sh" tools/test/
+cp "$source/tools/test/run.sh" "$source/tools/test/background.sh" "$source/tools/test/ahead.sh" tools/test/
 : >tools/packages.txt  # installs nothing
 
 stage() { # NAME LINE COMMANDS
@@ -44,6 +44,12 @@ good
 gate || wrong 'stages that pass fail'
 row docs 'ok, in the background'
 row tsan ok
+
+# Else what is idle takes processors from daemons of the tests.
+stage docs 'computes only' 'ps -o sid= -p $$ >docs.session'
+gate || wrong 'stages that pass fail'
+[ "$(cat docs.session)" != "$(ps -o sid= -p $$)" ] || wrong 'the background has the session of the tests'
+stage docs 'computes only' :
 
 # Where no 32-bit program runs, what needs one is left out, and the gate says so; where they run, nothing is.
 mkdir fake

@@ -49,7 +49,11 @@ await_ahead() {
   while [ -e "build/ahead/$1" ] && kill -0 "$DARWINOP_AHEAD" 2>/dev/null; do sleep 0.2; done
   ahead_at --idle
 }
-ahead_at() { pgrep -g "$DARWINOP_AHEAD" | xargs -r -n 1 chrt "$1" --pid 0 2>/dev/null || :; }
+# The session also has a share of the processors, by its nice value (sched_autogroup); only root may lower it.
+ahead_at() { # --idle|--other
+  pgrep -g "$DARWINOP_AHEAD" | xargs -r -n 1 chrt "$1" --pid 0 2>/dev/null || :
+  { [ "$1" = --idle ] && echo 19 || echo 0; } 2>/dev/null >"/proc/$DARWINOP_AHEAD/autogroup" || :
+}
 
 # The archive that `darwinop install` sends and the SDK that controllers for the robot are built with.
 build_robot() { # ARCHITECTURE

@@ -35,30 +35,8 @@ start_background() { # STAGE...; runs those of $beside
     [ -z "$preset" ] || : >"build/ahead/${preset%% *}"
   done
   : >build/ahead/packages
-  set -m  # a process group of its own, to be ended as a whole
-  (
-    set +m
-    trap 'rm -rf build/ahead' EXIT
-    chrt --idle --pid 0 "$BASHPID"
-    # What users build needs no test packages: it can begin while they are installed.
-    [ ! -e build/ahead/release-tests ] || build release || :
-    while [ -e build/ahead/packages ]; do sleep 0.2; done
-    for stage in "$@"; do
-      preset=$(builds_of "$stage")
-      [ -f "build/ahead/${preset%% *}" ] || continue  # nothing to build, or built for an earlier stage
-      kill -0 $$ || exit  # run.sh itself has ended
-      # shellcheck disable=SC2086  # words
-      build $preset || :  # the stage that needs it tries once more and shows why
-      rm -f "build/ahead/${preset%% *}"
-    done
-    write_row builds '' ''
-    for stage in "${beside[@]}"; do
-      kill -0 $$ || exit
-      run_stage "$stage" "in the background" >"build/$stage.log" 2>&1 || :
-    done
-  ) </dev/null >build/ahead.log 2>&1 &
+  BESIDE="${beside[*]}" setsid tools/test/ahead.sh $$ "$@" </dev/null >build/ahead.log 2>&1 &
   export DARWINOP_AHEAD=$!
-  set +m
 }
 background_runs() { [ -n "${DARWINOP_AHEAD:-}" ] && jobs -rp | grep -qx "$DARWINOP_AHEAD"; }
 stop_background() {
