@@ -134,6 +134,7 @@ void BodyRecorder::keep(const std::vector<PlannedRecording>& plans) {
 bool BodyRecorder::record(const std::vector<PlannedRecording>& plans) {
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (find(plans[i]) != nullptr) continue;
+    if (isEnded()) return false;  // it came while no experiment ran, which would have received it
     std::cout << text::formatted("\n%zu of %zu: %s, ", i + 1, plans.size(), plans[i].file.c_str())
               << plans[i].experiment << '\n';
     if (!record(plans[i])) return false;
@@ -154,6 +155,7 @@ bool BodyRecorder::record(const PlannedRecording& plan) {
   const std::string file = fileOf(plan), attempt = fs::path{file}.replace_extension(".attempt.csv").string();
   while (true) {
     if (asks() && ask("Press Enter to start, q to end: ", end_signal_) == Answer::kStop) return false;
+    if (isEnded()) return false;
     const double session_s = sessionSeconds();
     const int status = run(plan, attempt);
     if (status == app::kStopped || isEnded()) return false;
