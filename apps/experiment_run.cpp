@@ -21,6 +21,7 @@
 #include "experiments/run/progress.hpp"
 #include "experiments/run/recorded.hpp"
 #include "experiments/run/runner.hpp"
+#include "webots/stop_signals.hpp"
 #include "webots/tool_robot.hpp"
 
 namespace darwinop::experiments {
@@ -62,9 +63,11 @@ RunOutcome drive(const Experiment& experiment, const Plan& plan) {
 
 int reportEnd(RunOutcome outcome, const std::string& record) {
   const bool is_recorded = reportRecording(record);
+  // The API answers a second request as the end of the robot.
+  if (outcome == RunOutcome::kEnded && webots_api::stopRequested()) outcome = RunOutcome::kStopped;
   switch (outcome) {
     case RunOutcome::kStopped:
-      std::cerr << "stopped on request; the recording contains the data until then\n";
+      std::cerr << kStoppedOnRequest << (is_recorded && !record.empty() ? kRecordedUntilThen : "") << '\n';
       return app::kStopped;
     case RunOutcome::kEnded:
       std::cerr << "the experiment was ended by the robot, see above\n";

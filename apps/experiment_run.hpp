@@ -5,6 +5,9 @@
 
 namespace darwinop::experiments {
 
+inline constexpr const char* kStoppedOnRequest = "stopped on request";
+inline constexpr const char* kRecordedUntilThen = "; the recording contains the data until then";
+
 struct ExperimentRequest {
   std::string experiment;  // name or file
   std::string robot;       // empty: DARWINOP_ROBOT, else the first one found

@@ -2,6 +2,11 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <cerrno>
+#include <cstring>
+
+#include "experiment_run.hpp"
+#include "experiments/run/recorded.hpp"
 #include "experiments/run/runner.hpp"
 #include "system/rig.hpp"
 
@@ -9,6 +14,7 @@ namespace darwinop {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class OnPty : public Rig {
  protected:
@@ -31,6 +37,32 @@ TEST_F(OnPty, CtrlCReturnsTheRobotToItsStartPoseAndKeepsTheRecording) {
   }();
   EXPECT_THAT(log, HasSubstr("# experiment: speed"));
   EXPECT_TRUE(log.ends_with("# end\n"));
+}
+
+TEST_F(OnPty, ASecondCtrlCEndsTheReturnAsStopped) {
+  startVirtualRobot();
+  Program run{command("speed"), file("run.txt")};
+  ASSERT_TRUE(run.says("rad/s, left", std::chrono::seconds{20})) << run.output();
+  run.kill(SIGINT);
+  ASSERT_TRUE(run.says(experiments::kReturnPhase, std::chrono::seconds{5})) << run.output();
+  run.kill(SIGINT);
+  EXPECT_EQ(run.wait(std::chrono::seconds{30}), 130) << run.output();
+  EXPECT_THAT(run.output(), HasSubstr(std::string{experiments::kStoppedOnRequest} + experiments::kRecordedUntilThen));
+}
+
+// Its size limit stands for a full disk. The shared memory of the loop is a file also, which has to fit.
+TEST_F(OnPty, AStoppedRunWhoseRecordingIsIncompleteSaysNothingElseAboutIt) {
+  startVirtualRobot();
+  std::vector<std::string> limited{"/bin/bash", "-c", "trap '' XFSZ; ulimit -f 1024; exec \"$0\" \"$@\""};
+  const std::vector<std::string> speed = command("speed");
+  limited.insert(limited.end(), speed.begin(), speed.end());
+  Program run{limited, file("run.txt")};
+  ASSERT_TRUE(run.says(std::strerror(EFBIG), std::chrono::seconds{60})) << run.output();
+  run.kill(SIGINT);
+  EXPECT_EQ(run.wait(std::chrono::seconds{30}), 130) << run.output();
+  EXPECT_THAT(run.output(), HasSubstr(experiments::kRecordedInPart));
+  EXPECT_THAT(run.output(), HasSubstr(experiments::kStoppedOnRequest));
+  EXPECT_THAT(run.output(), Not(HasSubstr(experiments::kRecordedUntilThen)));
 }
 
 // The same robot behind another path is not provably virtual.
