@@ -1,12 +1,11 @@
 // darwinop-demo: demonstrations on the physics twin without a controller: walk.
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 #include <string>
 
 #include "apps/demo/walk.hpp"
 #include "exit_codes.hpp"
 #include "parse_arguments.hpp"
+#include "run_tool.hpp"
 #include "twin_look.hpp"
 #include "webots/stop_signals.hpp"
 
@@ -40,8 +39,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example:\n  darwinop demo walk --record walk.mp4\nExit code: 0 done, 1 the robot fell, 2 wrong arguments or "
-      "file, "
-      "130 Ctrl-C");
+      "file, 130 Ctrl-C");
   if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   if (window) show.record.clear();
   const int status = darwinop::demo::walk(show);
@@ -51,10 +49,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "darwinop demo: %s\n", error.what());
-    return darwinop::app::kWrong;
-  }
+  return darwinop::app::runTool("darwinop demo", [&] { return run(argc, argv); });
 }

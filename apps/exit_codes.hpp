@@ -1,5 +1,4 @@
-// Exit codes of programs that move a robot for a while, and of those that show one; docs/experiments.md and
-// docs/motion-command.md list them for users.
+// Exit codes of darwinop experiment, motion and demo; docs/experiments.md and docs/motion-command.md list them for users.
 #pragma once
 
 namespace darwinop::app {

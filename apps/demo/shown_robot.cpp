@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdio>
-#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "twin/view/named_poses.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
+#include "webots/tool_robot.hpp"
 
 namespace darwinop::demo {
 
@@ -39,7 +39,7 @@ struct ShownRobot::Parts {
     loop.port = "twin:" + options.model;
     robot = std::make_unique<webots_api::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)),
                                                     webots_api::ControllerConfig{}, webots_api::stopRequested());
-    if (const std::string error = robot->begin(); !error.empty()) throw std::runtime_error(error);
+    if (const std::string error = robot->begin(); !error.empty()) throw webots_api::EndedBeforeReady(error);
     for (twin::Pose takeover; watched->poses().pop(takeover);) {
     }
   }

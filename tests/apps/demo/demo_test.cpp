@@ -1,12 +1,18 @@
 // `darwinop demo walk`: records a film on a PC without a display.
 #include <gmock/gmock.h>
 
+#include <signal.h>
+
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
+#include "system/program.hpp"
 #include "twin/render/png.hpp"
 
 namespace darwinop::demo {
@@ -38,13 +44,37 @@ TEST(WalkDemo, RecordsTheRobotInSimulatedTime) {
   EXPECT_GT(changed(frame("10"), frame("20")), 0.01) << "moving until the end";
 }
 
+/// A film that takes longer to make than a test to read what was printed.
+std::vector<std::string> longFilm(const TemporaryFolder& folder) {
+  return {"/usr/bin/env", "-u",    "DISPLAY", "-u",     "WAYLAND_DISPLAY", DARWINOP_DEMO, "walk",
+          "--fps",        "120",   "--size",  "640x480", "--record",       folder / "pictures"};
+}
+
+/// It receives SIGINT, where the default action would end it.
+bool receivesCtrlC(const Program& running) {
+  std::ifstream status{"/proc/" + std::to_string(running.pid()) + "/status"};
+  for (std::string name; status >> name;)
+    if (unsigned long long caught = 0; name == "SigCgt:" && status >> std::hex >> caught)
+      return (caught >> (SIGINT - 1) & 1) != 0;
+  return false;
+}
+
 TEST(WalkDemo, CtrlCEndsItAsStopped) {
   const TemporaryFolder folder;
-  const Outcome stopped = shell("env -u DISPLAY -u WAYLAND_DISPLAY timeout --preserve-status -s INT 8 " DARWINOP_DEMO
-                                " walk --seconds 1000 --size 160x120 --record " +
-                                (folder / "pictures"));
-  EXPECT_EQ(stopped.status, 130) << stopped.said;
+  Program walk{longFilm(folder), folder / "walk.txt"};
+  ASSERT_TRUE(walk.says("stance reached", std::chrono::seconds{60})) << walk.output();
+  walk.kill(SIGINT);
+  EXPECT_EQ(walk.wait(std::chrono::seconds{60}), 130) << walk.output();
   EXPECT_TRUE(std::filesystem::exists(folder / "pictures"));
+}
+
+TEST(WalkDemo, CtrlCBeforeTheRobotIsReadyEndsItAsStopped) {
+  const TemporaryFolder folder;
+  Program walk{longFilm(folder), folder / "walk.txt"};
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{60};
+  while (!receivesCtrlC(walk)) ASSERT_LT(std::chrono::steady_clock::now(), end) << walk.output();
+  walk.kill(SIGINT);
+  EXPECT_EQ(walk.wait(std::chrono::seconds{60}), 130) << walk.output();
 }
 
 TEST(WalkDemo, WithoutDisplayAWindowSuggestsAFilm) {
