@@ -120,9 +120,13 @@ void BodyRecorder::keep(const std::vector<PlannedRecording>& plans) {
   for (const PlannedRecording& plan : plans)
     if (fs::exists(fileOf(plan))) begins.emplace_back(&plan, beginOf(logs::readLog(fileOf(plan)), plan, robot_));
   if (begins.empty()) return;
-  const double first_s = std::ranges::min(begins, {}, &decltype(begins)::value_type::second).second;
-  const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
-  earlier_s_ = now.count() - first_s;
+  const auto [first, last] = std::ranges::minmax(begins, {}, &decltype(begins)::value_type::second);
+  const double first_s = first.second, last_s = last.second;
+  if (!isSimulated()) {
+    const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
+    earlier_s_ = sessionAge(first_s, last_s, now.count());
+    if (const std::string pause = pauseText(now.count() - last_s); !pause.empty()) std::cout << pause << '\n';
+  }
   for (const auto& [plan, begin_s] : begins) {
     const std::vector<std::string> problems = look(*plan, fileOf(*plan), isSimulated() ? 0 : begin_s - first_s);
     if (find(*plan) == nullptr) throw BadInput(problems.front());

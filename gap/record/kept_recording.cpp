@@ -2,6 +2,7 @@
 
 #include <ctime>
 
+#include "core/text/formatted.hpp"
 #include "gap/case/body/parse_body_case.hpp"
 
 namespace darwinop::gap {
@@ -19,6 +20,17 @@ double beginOf(const logs::Log& recording, const PlannedRecording& plan, Recorde
   const std::string date = recording.headValue("date").value_or("");
   if (strptime(date.c_str(), "%Y-%m-%dT%H:%M:%SZ", &begin) == nullptr) throw refuse("its date is missing");
   return static_cast<double>(timegm(&begin));
+}
+
+double sessionAge(double first_s, double last_s, double now_s) {
+  if (now_s < last_s) throw BadInput(messages::kClockSetBack);
+  return now_s - first_s;
+}
+
+std::string pauseText(double pause_s) {
+  constexpr double kOneSession = 3600;  // s: servos are cold again long before
+  if (pause_s <= kOneSession) return {};
+  return text::formatted("the last recording began %.0f", pause_s / 60) + messages::kAnotherSession;
 }
 
 }  // namespace darwinop::gap

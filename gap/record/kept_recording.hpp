@@ -10,8 +10,23 @@ namespace darwinop::gap {
 
 inline constexpr const char* kTwinInHead = "twin in memory";  // begins "model" in the head of a recording: connect.cpp
 
+namespace messages {
+inline constexpr const char* kClockSetBack =
+    "the clock of this computer was set back since the recordings in this folder; set it right, or give another folder "
+    "with --out";
+inline constexpr const char* kAnotherSession =
+    " min ago: recorded in another session; battery and temperature of the servos differ";
+}  // namespace messages
+
 /// When it began, s since 1970 by the computer's clock, to 1 s. Throws BadInput unless `recording` is one of the
 /// planned experiment, complete, on a robot of this kind.
 double beginOf(const logs::Log& recording, const PlannedRecording& plan, RecordedRobot robot);
+
+/// Age of a session whose first and last recordings began then; all in s since 1970. Throws BadInput if the clock was set
+/// back since.
+double sessionAge(double first_s, double last_s, double now_s);
+
+/// What to know before recordings are added to earlier ones of which the last began this long ago; empty: nothing.
+std::string pauseText(double pause_s);
 
 }  // namespace darwinop::gap

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "core/faults.hpp"
+#include "gap/record/kept_recording.hpp"
 #include "gap_files.hpp"
 #include "gap_recorder.hpp"
 #include "system/gap_rig.hpp"
@@ -64,6 +65,40 @@ TEST_F(GapRecordShort, WhatWasRecordedBeforeItWasStoppedIsKeptOnRequest) {
   EXPECT_THAT(said_, testing::HasSubstr(std::string{"upright.csv: "} + gap::messages::kKept));
   EXPECT_EQ(textOf(file("case/upright.csv")), first);
   EXPECT_EQ(json::parse(textOf(file("case/case.json")))["logs"].size(), 5u);
+}
+
+// Recordings of a robot: those of a twin with the head of a robot's. Nothing is left to record, so nothing moves.
+TEST_F(GapRecordShort, AResumedSessionHasTheTimesOfItsRecordings) {
+  record("twin");
+  std::filesystem::remove(file("case/case.json"));
+  const auto begin = [this](const std::string& name, const std::string& date) {
+    std::string text = textOf(file("case/" + name));
+    for (const auto& [key, value] : {std::pair{"# model: ", std::string{"/dev/ttyUSB0"}}, std::pair{"# date: ", date}}) {
+      const std::size_t at = text.find(key) + std::string{key}.size();
+      text.replace(at, text.find('\n', at) - at, value);
+    }
+    std::ofstream{file("case/" + name)} << text;
+  };
+  begin("upright.csv", "2026-01-01T10:00:00Z");
+  begin("upright_again.csv", "2026-01-01T10:05:00Z");
+  begin("left_side.csv", "2026-01-01T10:10:00Z");
+  begin("face_down.csv", "2026-01-02T10:00:00Z");
+  begin("right_side.csv", "2026-01-02T10:05:00Z");
+  startVirtualRobot();
+  const std::vector<std::string> resume{"record", "--robot", port(), "--out", file("case"), "--resume", "--yes"};
+  ASSERT_EQ(gap(resume, seconds{60}), 0) << said_;
+  EXPECT_THAT(said_, testing::HasSubstr(gap::messages::kAnotherSession));
+  const json logs = json::parse(textOf(file("case/case.json")))["logs"];
+  const double first = logs[0]["session_s"];
+  EXPECT_NEAR(logs[2]["session_s"].get<double>() - first, 600, 2);
+  EXPECT_NEAR(logs[4]["session_s"].get<double>() - first, 86'700, 2);
+
+  std::filesystem::remove(file("case/case.json"));
+  std::filesystem::remove(file("case/right_side.csv"));
+  begin("face_down.csv", "2100-01-01T10:00:00Z");
+  EXPECT_EQ(gap(resume, seconds{60}), 2) << said_;
+  EXPECT_THAT(said_, testing::HasSubstr(gap::messages::kClockSetBack));
+  EXPECT_THAT(said_, testing::Not(testing::HasSubstr("5 of 5"))) << "it would move";
 }
 
 TEST_F(GapRecordShort, AFileThatIsNotARecordingIsKept) {

@@ -33,5 +33,16 @@ TEST(KeptRecording, IsRefusedIfItIsSomethingElse) {
   EXPECT_THROW((void)beginIn(other + kRows + kEnd), BadInput);
 }
 
+TEST(KeptRecording, TheSessionGoesOnByTheClockUnlessThatWasSetBack) {
+  EXPECT_EQ(sessionAge(1000, 1600, 1600), 600);
+  EXPECT_EQ(sessionAge(1000, 1600, 90'000), 89'000) << "a day later";
+  EXPECT_THROW((void)sessionAge(1000, 1600, 1500), BadInput);
+}
+
+TEST(KeptRecording, AnHourLaterItIsAnotherSession) {
+  EXPECT_EQ(pauseText(3000), "");
+  EXPECT_NE(pauseText(7200).find(messages::kAnotherSession), std::string::npos);
+}
+
 }  // namespace
 }  // namespace darwinop::gap
