@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "connect/setting.hpp"
+#include "connect/twin_library.hpp"
 #include "exit_codes.hpp"
 #include "gap_commands.hpp"
 #include "gap_files.hpp"
@@ -63,7 +64,8 @@ int recordBody(const Arguments& asked) {
   const std::string model = modelFor(given.model, given.out);
   const bool is_file = model == "model.ini";
   const auto kind = robot.kind == RobotKind::kTwin ? RecordedRobot::kSimulated : RecordedRobot::kPhysical;
-  BodyRecorder recorder{given, kind, is_file ? (fs::path{given.out} / model).string() : model, ended_by};
+  const std::string twin = robot.kind == RobotKind::kTwin ? connect::twinInHead(robot.model) : "";
+  BodyRecorder recorder{given, twin, is_file ? (fs::path{given.out} / model).string() : model, ended_by};
   recorder.keep(plans);
   if (!recorder.record(plans)) {
     std::cerr << "darwinop gap: stopped; to go on, give the same command with --resume\n";

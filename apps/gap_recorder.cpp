@@ -40,10 +40,10 @@ Answer ask(const std::string& question, const std::atomic<int>& end_signal) {
 
 }  // namespace
 
-BodyRecorder::BodyRecorder(const Arguments& given, RecordedRobot robot, std::string model,
+BodyRecorder::BodyRecorder(const Arguments& given, std::string twin, std::string model,
                            const std::atomic<int>& end_signal)
     : given_{given},
-      robot_{robot},
+      twin_{std::move(twin)},
       model_{std::move(model)},
       end_signal_{end_signal},
       imu_{twin::readModel(twin::findModel(model_))} {}
@@ -81,6 +81,10 @@ std::vector<std::string> BodyRecorder::look(const PlannedRecording& plan, const 
     MadeRecording made{.plan = plan, .from_s = 0, .to_s = 0, .session_s = session_s, .battery_v = 0};
     findUsedRows(recording, experiment.setup.pose, phases_s, made);
     std::vector<std::string> problems = problemsOf(recording, model_, imu_, made);
+    // Of a physical robot a port and what it has found: either may have changed.
+    const std::string robot = robotOf(recording);
+    if (robot_.empty()) robot_ = robot;
+    if (robot != robot_) problems.push_back(messages::kOfAnotherRobot + robot + messages::kEarlierOnesAreOf + robot_);
     made_.push_back(std::move(made));
     return problems;
   } catch (const std::runtime_error& unusable) {
@@ -118,7 +122,7 @@ const MadeRecording* BodyRecorder::find(const PlannedRecording& plan) const {
 void BodyRecorder::keep(const std::vector<PlannedRecording>& plans) {
   std::vector<std::pair<const PlannedRecording*, double>> begins;  // s since 1970
   for (const PlannedRecording& plan : plans)
-    if (fs::exists(fileOf(plan))) begins.emplace_back(&plan, beginOf(logs::readLog(fileOf(plan)), plan, robot_));
+    if (fs::exists(fileOf(plan))) begins.emplace_back(&plan, beginOf(logs::readLog(fileOf(plan)), plan, twin_));
   if (begins.empty()) return;
   const auto [first, last] = std::ranges::minmax(begins, {}, &decltype(begins)::value_type::second);
   const double first_s = first.second, last_s = last.second;

@@ -23,9 +23,9 @@ inline constexpr const char* kRecordedInPart =
 /// be used.
 class BodyRecorder {
  public:
-  /// `model`: name or file of the model that the robot is compared with. `end_signal`: the signal that asks for the
-  /// end; 0: none. All must outlive the recorder.
-  BodyRecorder(const Arguments& given, RecordedRobot robot, std::string model, const std::atomic<int>& end_signal);
+  /// `twin`: connect::twinInHead(); empty: a physical robot. `model`: name or file of the model that the robot is
+  /// compared with. `end_signal`: the signal that asks for the end; 0: none. All must outlive the recorder.
+  BodyRecorder(const Arguments& given, std::string twin, std::string model, const std::atomic<int>& end_signal);
 
   /// Takes over the recordings of a former run. Throws BadInput if one cannot be used.
   void keep(const std::vector<PlannedRecording>& plans);
@@ -35,7 +35,7 @@ class BodyRecorder {
   [[nodiscard]] std::vector<MadeRecording> made(const std::vector<PlannedRecording>& plans) const;
 
  private:
-  [[nodiscard]] bool isSimulated() const { return robot_ == RecordedRobot::kSimulated; }
+  [[nodiscard]] bool isSimulated() const { return !twin_.empty(); }
   [[nodiscard]] bool asks() const { return !given_.yes && !isSimulated(); }
   [[nodiscard]] bool isEnded() const { return end_signal_ != 0; }
   [[nodiscard]] std::string fileOf(const PlannedRecording& plan) const;
@@ -50,13 +50,13 @@ class BodyRecorder {
   [[nodiscard]] double sessionSeconds() const;
 
   const Arguments& given_;
-  RecordedRobot robot_;
-  std::string model_;
+  std::string twin_, model_;
   const std::atomic<int>& end_signal_;
   RestingImu imu_;
   std::vector<MadeRecording> made_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   double earlier_s_ = 0;  // of the session, before this program began
+  std::string robot_;     // "model" in the head of the first recording; empty: there is none yet
 };
 
 }  // namespace darwinop::gap

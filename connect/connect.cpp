@@ -75,7 +75,7 @@ std::unique_ptr<runtime::RobotLink> virtualRobot(const ConnectRequest& request) 
 
 std::unique_ptr<runtime::RobotLink> twin(const ConnectRequest& request, const std::string& model) {
   runtime::LoopConfig config = loopConfig(request);
-  config.port = "twin in memory, model " + (model.empty() ? kUsualTwin : model);
+  config.port = twinInHead(model);
   return lockstepRobot(config, makeTwin(model, twinSeed()));
 }
 

@@ -13,6 +13,11 @@ namespace darwinop::connect {
 /// Default model.
 inline const std::string kUsualTwin = "darwin-op";
 
+/// "model" in the head of a twin's recordings. `model`: as for makeTwin().
+inline std::string twinInHead(const std::string& model) {
+  return "twin in memory, model " + (model.empty() ? kUsualTwin : model);
+}
+
 /// A body with physics. `model`: name or INI file; empty: the default. `seed`: for sensor noise; the model has another
 /// seed for lost packets. Throws std::runtime_error with a remedy if the library is missing, has another version, or
 /// rejects the model.

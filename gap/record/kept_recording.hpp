@@ -8,7 +8,7 @@
 
 namespace darwinop::gap {
 
-inline constexpr const char* kTwinInHead = "twin in memory";  // begins "model" in the head of a recording: connect.cpp
+inline constexpr const char* kTwinInHead = "twin in memory";  // begins connect::twinInHead()
 
 namespace messages {
 inline constexpr const char* kClockSetBack =
@@ -16,11 +16,16 @@ inline constexpr const char* kClockSetBack =
     "with --out";
 inline constexpr const char* kAnotherSession =
     " min ago: recorded in another session; battery and temperature of the servos differ";
+inline constexpr const char* kOfAnotherRobot = "it is of another robot: ";  // then its "model"
+inline constexpr const char* kEarlierOnesAreOf = "; the earlier ones are of ";
 }  // namespace messages
 
 /// When it began, s since 1970 by the computer's clock, to 1 s. Throws BadInput unless `recording` is one of the
-/// planned experiment, complete, on a robot of this kind.
-double beginOf(const logs::Log& recording, const PlannedRecording& plan, RecordedRobot robot);
+/// planned experiment, complete, on this robot. `twin`: its "model" in the head; empty: a physical robot.
+double beginOf(const logs::Log& recording, const PlannedRecording& plan, const std::string& twin);
+
+/// "model" in the head: which robot it is of.
+std::string robotOf(const logs::Log& recording);
 
 /// Age of a session whose first and last recordings began then; all in s since 1970. Throws BadInput if the clock was set
 /// back since.

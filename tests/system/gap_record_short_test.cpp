@@ -61,6 +61,10 @@ TEST_F(GapRecordShort, WhatWasRecordedBeforeItWasStoppedIsKeptOnRequest) {
   EXPECT_THAT(said_, testing::HasSubstr(file("case/upright.csv") + gap::messages::kRecordingExists));
   std::vector<std::string> again = words;
   again.emplace_back("--resume");
+  std::vector<std::string> of_another = again;
+  of_another[2] = robotWith("", "");
+  EXPECT_EQ(gap(of_another, seconds{10}), 2);
+  EXPECT_THAT(said_, testing::HasSubstr(gap::messages::kOfAnotherRobot));
   ASSERT_EQ(gap(again, seconds{120}), 0) << said_;
   EXPECT_THAT(said_, testing::HasSubstr(std::string{"upright.csv: "} + gap::messages::kKept));
   EXPECT_EQ(textOf(file("case/upright.csv")), first);
@@ -71,9 +75,10 @@ TEST_F(GapRecordShort, WhatWasRecordedBeforeItWasStoppedIsKeptOnRequest) {
 TEST_F(GapRecordShort, AResumedSessionHasTheTimesOfItsRecordings) {
   record("twin");
   std::filesystem::remove(file("case/case.json"));
-  const auto begin = [this](const std::string& name, const std::string& date) {
+  const auto begin = [this](const std::string& name, const std::string& date,
+                            const std::string& robot = "/dev/ttyUSB0") {
     std::string text = textOf(file("case/" + name));
-    for (const auto& [key, value] : {std::pair{"# model: ", std::string{"/dev/ttyUSB0"}}, std::pair{"# date: ", date}}) {
+    for (const auto& [key, value] : {std::pair{"# model: ", robot}, std::pair{"# date: ", date}}) {
       const std::size_t at = text.find(key) + std::string{key}.size();
       text.replace(at, text.find('\n', at) - at, value);
     }
@@ -82,12 +87,13 @@ TEST_F(GapRecordShort, AResumedSessionHasTheTimesOfItsRecordings) {
   begin("upright.csv", "2026-01-01T10:00:00Z");
   begin("upright_again.csv", "2026-01-01T10:05:00Z");
   begin("left_side.csv", "2026-01-01T10:10:00Z");
-  begin("face_down.csv", "2026-01-02T10:00:00Z");
+  begin("face_down.csv", "2026-01-02T10:00:00Z", "/dev/ttyUSB1");
   begin("right_side.csv", "2026-01-02T10:05:00Z");
   startVirtualRobot();
   const std::vector<std::string> resume{"record", "--robot", port(), "--out", file("case"), "--resume", "--yes"};
   ASSERT_EQ(gap(resume, seconds{60}), 0) << said_;
   EXPECT_THAT(said_, testing::HasSubstr(gap::messages::kAnotherSession));
+  EXPECT_THAT(said_, testing::HasSubstr(gap::messages::kEarlierOnesAreOf));
   const json logs = json::parse(textOf(file("case/case.json")))["logs"];
   const double first = logs[0]["session_s"];
   EXPECT_NEAR(logs[2]["session_s"].get<double>() - first, 600, 2);

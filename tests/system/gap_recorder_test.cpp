@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include "connect/twin_library.hpp"
+#include "gap/record/kept_recording.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {
@@ -21,11 +23,15 @@ class Recorder : public testing::Test {
 
 // As Ctrl-C while the recordings of a former run are read.
 TEST_F(Recorder, ASignalWhileNoExperimentRunsStartsNone) {
-  BodyRecorder recorder{given_, RecordedRobot::kSimulated, "darwin-op", end_signal_};
+  BodyRecorder recorder{given_, connect::twinInHead(""), "darwin-op", end_signal_};
   end_signal_ = SIGINT;
   testing::internal::CaptureStdout();
   EXPECT_FALSE(recorder.record(plans_));
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(TwinInHead, BeginsAsRecordingsOfATwinAreRecognized) {
+  EXPECT_TRUE(connect::twinInHead("mine.ini").starts_with(kTwinInHead));
 }
 
 }  // namespace

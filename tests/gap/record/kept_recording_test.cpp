@@ -14,10 +14,10 @@ const std::string kHead =
     "# experiment: body_sines\n";
 const std::string kRows = "time_s,a\n1,2\n", kEnd = "# end\n";
 
-double beginIn(const std::string& text, RecordedRobot robot = RecordedRobot::kPhysical) {
+double beginIn(const std::string& text, const std::string& twin = "") {
   PlannedRecording plan;
   plan.experiment = "body_sines";
-  return beginOf(logs::parseLog(text, "upright.csv"), plan, robot);
+  return beginOf(logs::parseLog(text, "upright.csv"), plan, twin);
 }
 
 TEST(KeptRecording, BeganAtItsDate) {
@@ -27,10 +27,18 @@ TEST(KeptRecording, BeganAtItsDate) {
 TEST(KeptRecording, IsRefusedIfItIsSomethingElse) {
   EXPECT_THROW((void)beginIn(kRows), BadInput) << "not a recording";
   EXPECT_THROW((void)beginIn(kHead + kRows), BadInput) << "cut off";
-  EXPECT_THROW((void)beginIn(kHead + kRows + kEnd, RecordedRobot::kSimulated), BadInput);
   std::string other = kHead;
   other.replace(other.find("body_sines"), 10, "body_chirp");
   EXPECT_THROW((void)beginIn(other + kRows + kEnd), BadInput);
+}
+
+TEST(KeptRecording, IsRefusedIfItIsOfAnotherRobot) {
+  EXPECT_THROW((void)beginIn(kHead + kRows + kEnd, "twin in memory, model darwin-op"), BadInput);
+  std::string of_twin = kHead;
+  of_twin.replace(of_twin.find("/dev/ttyUSB0"), 12, "twin in memory, model stiff-elbow.ini");
+  EXPECT_NO_THROW((void)beginIn(of_twin + kRows + kEnd, "twin in memory, model stiff-elbow.ini"));
+  EXPECT_THROW((void)beginIn(of_twin + kRows + kEnd, "twin in memory, model darwin-op"), BadInput);
+  EXPECT_THROW((void)beginIn(of_twin + kRows + kEnd), BadInput);
 }
 
 TEST(KeptRecording, TheSessionGoesOnByTheClockUnlessThatWasSetBack) {
