@@ -100,8 +100,11 @@ std::vector<std::string> BodyRecorder::problems(int status, const PlannedRecordi
     return {experiment + " cannot run, see above"};
   }
   if (!runtime::isCompleteRecording(file)) {
-    if (!asks()) throw std::runtime_error(file + ": " + messages::kRecordedInPart);
-    return {file + ": " + messages::kRecordedInPart};
+    const int signal = status - 128;  // as shells count
+    const std::string why =
+        signal > 0 ? experiment + messages::kEndedBySignal + std::to_string(signal) : file + messages::kIncomplete;
+    if (!asks()) throw std::runtime_error(why);
+    return {why};
   }
   if (status != 0 && !asks() && !isSimulated())  // no person judges whether it may move again
     throw std::runtime_error("the robot ended the experiment " + plan.experiment + ", see above");

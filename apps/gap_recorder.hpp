@@ -15,8 +15,8 @@ namespace darwinop::gap {
 
 namespace messages {
 inline constexpr const char* kKept = "kept";  // with --resume
-inline constexpr const char* kRecordedInPart =
-    "the recording is incomplete, the cause is above; make room, or choose another folder";
+inline constexpr const char* kIncomplete = ": incomplete, see above";
+inline constexpr const char* kEndedBySignal = " was ended by signal ";  // then its number
 }  // namespace messages
 
 /// A recording has a name of its own until it is found good, or kept by the user: what has the name of the plan is to

@@ -86,7 +86,6 @@ std::vector<std::string> problemsOf(const logs::Log& recording, const std::strin
       parseBodyCase(bodyCaseJson("recording", model, RecordedRobot::kSimulated, {alone}), made.plan.file, files);
   const BodyLogCheck check = checkData(given).logs.front();
   std::vector<std::string> out = given.warnings;
-  if (!recording.complete) out.emplace_back("the file was cut off; was the program ended by force?");
   if (const std::size_t lost = given.logs.front().lost_rows + check.late_rows; lost > 0)
     out.push_back(text::formatted("%zu cycles are missing; end other programs on this computer", lost));
   std::vector<std::string_view> stuck = check.unmoved;

@@ -120,6 +120,18 @@ TEST_F(GapRecordShort, AFolderThatCannotBeMadeIsNamedWithTheReason) {
   EXPECT_THAT(said_, testing::EndsWith(file("taken/case") + ": " + std::strerror(ENOTDIR) + "\n"));
 }
 
+TEST_F(GapRecordShort, AnExperimentThatIsKilledIsReportedWithTheSignal) {
+  Program running{{program("darwinop-gap"), "record", "--robot", "twin", "--out", file("case")}, file("command.txt")};
+  const std::string pid = std::to_string(running.pid());
+  pid_t experiment = 0;
+  const auto end = std::chrono::steady_clock::now() + seconds{60};
+  while (!(std::ifstream{"/proc/" + pid + "/task/" + pid + "/children"} >> experiment))
+    ASSERT_LT(std::chrono::steady_clock::now(), end) << running.output();
+  ::kill(experiment, SIGKILL);
+  EXPECT_EQ(running.wait(seconds{60}), 2);
+  EXPECT_THAT(running.output(), testing::HasSubstr(gap::messages::kEndedBySignal + std::to_string(SIGKILL)));
+}
+
 // Its size limit stands for a full disk. The shared memory of the loop is a file also, which has to fit.
 TEST_F(GapRecordShort, AFullDiskIsTheReasonThatIsReported) {
   const std::string limited = "trap '' XFSZ; ulimit -f 1024; exec \"$0\" \"$@\"";
@@ -128,7 +140,7 @@ TEST_F(GapRecordShort, AFullDiskIsTheReasonThatIsReported) {
       file("command.txt")};
   EXPECT_EQ(running.wait(seconds{60}), 2);
   EXPECT_THAT(running.output(), testing::HasSubstr(std::strerror(EFBIG)));
-  EXPECT_THAT(running.output(), testing::HasSubstr(gap::messages::kRecordedInPart));
+  EXPECT_THAT(running.output(), testing::HasSubstr(gap::messages::kIncomplete));
 }
 
 }  // namespace
