@@ -17,6 +17,7 @@
 #include "calibrate_commands.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
+#include "exit_codes.hpp"
 #include "hal/signals.hpp"
 #include "hal/text_file.hpp"
 #include "parse_arguments.hpp"
@@ -129,7 +130,8 @@ int calibrateByHand(const CalibrateOptions& given) {
   calibrate::OpenedRobot robot = calibrate::openToWrite(given, false);
   const std::vector<calibrate::HeldJoint> held =
       calibrate::readHeldJoints(*robot.link, joints, std::cin, endRequested(), std::cout);
-  if (endRequested() || held.empty()) {
+  if (endRequested()) return kExitNothing;
+  if (held.empty()) {
     std::cerr << "\ndarwinop calibrate: " << messages::kNoJointRead << '\n';
     return kExitNothing;
   }
@@ -157,7 +159,7 @@ int command(int count, char** arguments) {
       "  darwinop calibrate imu --robot twin --yes --file robot.ini  try it without hardware\n"
       "  darwinop calibrate joints --robot /dev/ttyUSB0 --file robot.ini  on a PC, trunk in a stand\n"
       "  darwinop calibrate by-hand Neck FootR                       limp joints, held at zero\n"
-      "Exit status: 0 done, 1 nothing found or written, 2 invalid arguments, file or robot, 130 Ctrl-C in joints.");
+      "Exit status: 0 done, 1 nothing found or written, 2 invalid arguments, file or robot, 130 Ctrl-C.");
   CalibrateOptions a;
   CLI::App& imu = *app.add_subcommand("imu", "gyroscope and accelerometer: bias, scale, mounting; nothing moves");
   describe(imu, a);
@@ -174,8 +176,12 @@ int command(int count, char** arguments) {
   by_hand.add_option("JOINT", a.joints, "names of joints, e.g. Neck FootR")->required();
   if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
   endOnSignals();
-  if (by_hand.parsed()) return calibrateByHand(a);
-  return joints.parsed() ? calibrate::calibrateJoints(a) : calibrateImu(a);
+  const int status = by_hand.parsed()  ? calibrateByHand(a)
+                     : joints.parsed() ? calibrate::calibrateJoints(a)
+                                       : calibrateImu(a);
+  if (status == kExitDone || !endRequested()) return status;
+  std::cerr << "\ndarwinop calibrate: " << messages::kStopped << '\n';
+  return app::kStopped;
 }
 
 }  // namespace

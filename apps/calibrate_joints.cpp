@@ -8,7 +8,6 @@
 #include "apps/calibrate/joints/offset_text.hpp"
 #include "apps/calibrate/opened_robot.hpp"
 #include "calibrate_commands.hpp"
-#include "exit_codes.hpp"
 #include "hal/signals.hpp"
 
 namespace darwinop::calibrate {
@@ -24,10 +23,7 @@ int calibrateJoints(const CalibrateOptions& given) {
                  "ends: they fall then.\n";
   const std::vector<GravityPoint> points =
       sweepJoints(std::move(robot.link), *robot.stand, robot.file.safety.absent, endRequested(), std::cout);
-  if (endRequested()) {
-    std::cerr << "darwinop calibrate: " << messages::kSweepStopped << '\n';
-    return app::kStopped;
-  }
+  if (endRequested()) return kExitNothing;
   if (points.empty()) {
     std::cerr << "darwinop calibrate: " << messages::kNothingSwept << '\n';
     return kExitNothing;

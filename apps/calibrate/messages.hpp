@@ -27,6 +27,7 @@ inline constexpr const char* kNeedsHands = "--yes is for twins: a person has to 
 inline constexpr const char* kYesByHand = "by-hand asks for each joint: leave --yes out";
 inline constexpr const char* kNoJointRead = "no joint was read; nothing written";
 inline constexpr const char* kNotDriven = "the robot does not let itself be driven; check it with darwinop doctor";
+inline constexpr const char* kStopped = "stopped; nothing was written";
 inline constexpr const char* kNothingWritten = "nothing written";
 
 }  // namespace darwinop::calibrate::messages

@@ -1,7 +1,9 @@
 // Arguments and questions of the programs, as a user meets them in a terminal.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "apps/calibrate/joints/messages.hpp"
@@ -61,8 +63,24 @@ TEST_F(CommandLine, CtrlCDuringASweepEndsCalibrateAsStopped) {
                                 " && timeout --preserve-status -s INT 4 " DARWINOP_BIN
                                 "/darwinop-calibrate joints --robot twin --yes </dev/null");
   EXPECT_EQ(stopped.status, 130);
-  EXPECT_THAT(stopped.said, AllOf(HasSubstr(calibrate::messages::kSweepStopped),
+  EXPECT_THAT(stopped.said, AllOf(HasSubstr(calibrate::messages::kStopped),
                                   testing::Not(HasSubstr(calibrate::messages::kNothingSwept))));
+}
+
+TEST_F(CommandLine, CtrlCAtAQuestionEndsCalibrateAsStopped) {
+  ASSERT_EQ(mkfifo(file("answers").c_str(), 0600), 0);  // nobody answers
+  Program asking{{"/bin/sh", "-c", "exec \"$0\" \"$@\" <>" + file("answers"), program("darwinop-calibrate"), "by-hand",
+                  "--robot", "twin", "Neck"},
+                 file("calibrate.txt")};
+  ASSERT_TRUE(asking.says("Neck (", std::chrono::seconds{30})) << asking.output();
+  std::optional<int> status;
+  for (int tries = 0; tries < 30 && !status; ++tries) {  // one may come before it reads
+    asking.kill(SIGINT);
+    status = asking.wait(std::chrono::seconds{1});
+  }
+  EXPECT_EQ(status, 130);
+  EXPECT_THAT(asking.output(), AllOf(HasSubstr(calibrate::messages::kStopped),
+                                     testing::Not(HasSubstr(calibrate::messages::kNoJointRead))));
 }
 
 TEST_F(CommandLine, DoctorRefusesARobotWithoutAPort) {

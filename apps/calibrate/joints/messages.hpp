@@ -8,7 +8,6 @@ inline constexpr const char* kNotObserved = "Not found well enough, left as befo
 inline constexpr const char* kByHand =
     ".\nHold them at zero by hand: darwinop calibrate by-hand NAME... (docs/calibrate.md).\n";
 
-inline constexpr const char* kSweepStopped = "stopped; nothing was written";
 inline constexpr const char* kNothingSwept = "no posture was held, so nothing was measured";
 
 }  // namespace darwinop::calibrate::messages
