@@ -59,12 +59,12 @@ TEST_F(CommandLine, CalibrateSaysBeforeItMeasuresThatItCannotWrite) {
 }
 
 TEST_F(CommandLine, CtrlCDuringASweepEndsCalibrateAsStopped) {
-  const Outcome stopped = shell("cd " + folder_.string() +
-                                " && timeout --preserve-status -s INT 4 " DARWINOP_BIN
-                                "/darwinop-calibrate joints --robot twin --yes </dev/null");
-  EXPECT_EQ(stopped.status, 130);
-  EXPECT_THAT(stopped.said, AllOf(HasSubstr(calibrate::messages::kStopped),
-                                  testing::Not(HasSubstr(calibrate::messages::kNothingSwept))));
+  Program sweeping{{program("darwinop-calibrate"), "joints", "--robot", "twin", "--yes"}, file("calibrate.txt")};
+  ASSERT_TRUE(sweeping.says(calibrate::messages::kSweepBegins, std::chrono::seconds{60})) << sweeping.output();
+  sweeping.kill(SIGINT);
+  EXPECT_EQ(sweeping.wait(std::chrono::seconds{60}), 130);
+  EXPECT_THAT(sweeping.output(), AllOf(HasSubstr(calibrate::messages::kStopped),
+                                       testing::Not(HasSubstr(calibrate::messages::kNothingSwept))));
 }
 
 TEST_F(CommandLine, CtrlCAtAQuestionEndsCalibrateAsStopped) {

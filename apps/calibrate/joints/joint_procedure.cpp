@@ -3,6 +3,8 @@
 #include <ostream>
 #include <utility>
 
+#include "apps/calibrate/joints/messages.hpp"
+
 namespace darwinop::calibrate {
 
 std::vector<GravityPoint> sweepJoints(std::unique_ptr<runtime::RobotLink> link, Stand& stand,
@@ -14,6 +16,7 @@ std::vector<GravityPoint> sweepJoints(std::unique_ptr<runtime::RobotLink> link, 
     const Held held = stand.hold(*posture);
     if (held == Held::kEnded) break;
     if (held == Held::kSkipped) continue;
+    log << posture->name << messages::kSweepBegins << std::endl;
     Sweeper sweeper{session, absent, stop};
     sweeper.moveTo(basePose());
     for (const std::bitset<kJoints>& round : rounds(sweptJoints(absent))) {

@@ -8,6 +8,9 @@ inline constexpr const char* kNotObserved = "Not found well enough, left as befo
 inline constexpr const char* kByHand =
     ".\nHold them at zero by hand: darwinop calibrate by-hand NAME... (docs/calibrate.md).\n";
 
+// After the name of a posture.
+inline constexpr const char* kSweepBegins = ": the sweep begins";
+
 inline constexpr const char* kNothingSwept = "no posture was held, so nothing was measured";
 
 }  // namespace darwinop::calibrate::messages
