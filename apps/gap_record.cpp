@@ -67,9 +67,14 @@ int recordBody(const Arguments& asked) {
   const std::string twin = robot.kind == RobotKind::kTwin ? connect::twinInHead(robot.model) : "";
   BodyRecorder recorder{given, twin, is_file ? (fs::path{given.out} / model).string() : model, ended_by};
   recorder.keep(plans);
-  if (!recorder.record(plans)) {
-    std::cerr << "darwinop gap: stopped; to go on, give the same command with --resume\n";
-    return app::kStopped;
+  try {
+    if (!recorder.record(plans)) {
+      std::cerr << "darwinop gap: stopped; to go on, give the same command with --resume\n";
+      return app::kStopped;
+    }
+  } catch (const RecordingFailed& failed) {
+    std::cerr << "darwinop gap: " << failed.what() << '\n';
+    return app::kFailed;
   }
   const std::string name = fs::path{given.out}.lexically_normal().filename().string();
   writeTextFile(file, bodyCaseJson(name.empty() ? "robot" : name, model, kind, recorder.made(plans)));

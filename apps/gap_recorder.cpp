@@ -103,11 +103,11 @@ std::vector<std::string> BodyRecorder::problems(int status, const PlannedRecordi
     const int signal = status - 128;  // as shells count
     const std::string why =
         signal > 0 ? experiment + messages::kEndedBySignal + std::to_string(signal) : file + messages::kIncomplete;
-    if (!asks()) throw std::runtime_error(why);
+    if (!asks()) throw RecordingFailed(why);
     return {why};
   }
   if (status != 0 && !asks() && !isSimulated())  // no person judges whether it may move again
-    throw std::runtime_error("the robot ended the experiment " + plan.experiment + ", see above");
+    throw RecordingFailed("the robot ended the experiment " + plan.experiment + ", see above");
   std::vector<std::string> problems = look(plan, file, session_s);
   if (status != 0) problems.insert(problems.begin(), "the robot ended the experiment, see above");
   return problems;
@@ -177,7 +177,7 @@ bool BodyRecorder::record(const PlannedRecording& plan) {
     if (wrong.empty()) std::cout << "  good\n";
     bool is_kept = wrong.empty() || (is_usable && !asks());
     if (!is_kept && !asks())
-      throw std::runtime_error(attempt + " cannot be used; find the cause and record it again with --resume");
+      throw RecordingFailed(attempt + " cannot be used; find the cause and record it again with --resume");
     if (!is_kept) {
       const Answer next =
           ask(is_usable ? "r to repeat it, Enter to keep it, q to end: " : "r to repeat it, q to end: ", end_signal_);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,12 @@ inline constexpr const char* kIncomplete = ": incomplete, see above";
 inline constexpr const char* kEndedBySignal = " was ended by signal ";  // then its number
 }  // namespace messages
 
+/// A recording was begun and is of no use; --resume makes it again.
+class RecordingFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A recording has a name of its own until it is found good, or kept by the user: what has the name of the plan is to
 /// be used.
 class BodyRecorder {
@@ -29,7 +36,8 @@ class BodyRecorder {
 
   /// Takes over the recordings of a former run. Throws BadInput if one cannot be used.
   void keep(const std::vector<PlannedRecording>& plans);
-  /// Makes the others. False: stopped by the user.
+  /// Makes the others. False: stopped by the user. Throws RecordingFailed, or another std::runtime_error before the robot
+  /// moves.
   [[nodiscard]] bool record(const std::vector<PlannedRecording>& plans);
   /// In the order of their plans.
   [[nodiscard]] std::vector<MadeRecording> made(const std::vector<PlannedRecording>& plans) const;

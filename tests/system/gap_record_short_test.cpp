@@ -128,7 +128,7 @@ TEST_F(GapRecordShort, AnExperimentThatIsKilledIsReportedWithTheSignal) {
   while (!(std::ifstream{"/proc/" + pid + "/task/" + pid + "/children"} >> experiment))
     ASSERT_LT(std::chrono::steady_clock::now(), end) << running.output();
   ::kill(experiment, SIGKILL);
-  EXPECT_EQ(running.wait(seconds{60}), 2);
+  EXPECT_EQ(running.wait(seconds{60}), 1);
   EXPECT_THAT(running.output(), testing::HasSubstr(gap::messages::kEndedBySignal + std::to_string(SIGKILL)));
 }
 
@@ -138,7 +138,7 @@ TEST_F(GapRecordShort, AFullDiskIsTheReasonThatIsReported) {
   Program running{
       {"/bin/bash", "-c", limited, program("darwinop-gap"), "record", "--robot", "twin", "--out", file("case")},
       file("command.txt")};
-  EXPECT_EQ(running.wait(seconds{60}), 2);
+  EXPECT_EQ(running.wait(seconds{60}), 1);
   EXPECT_THAT(running.output(), testing::HasSubstr(std::strerror(EFBIG)));
   EXPECT_THAT(running.output(), testing::HasSubstr(gap::messages::kIncomplete));
 }
