@@ -36,8 +36,8 @@ class BodyRecorder {
 
   /// Takes over the recordings of a former run. Throws BadInput if one cannot be used.
   void keep(const std::vector<PlannedRecording>& plans);
-  /// Makes the others. False: stopped by the user. Throws RecordingFailed, or another std::runtime_error before the robot
-  /// moves.
+  /// Makes the others. False: stopped by the user. Throws RecordingFailed, or another std::runtime_error before the
+  /// robot moves.
   [[nodiscard]] bool record(const std::vector<PlannedRecording>& plans);
   /// In the order of their plans.
   [[nodiscard]] std::vector<MadeRecording> made(const std::vector<PlannedRecording>& plans) const;

@@ -27,8 +27,8 @@ double beginOf(const logs::Log& recording, const PlannedRecording& plan, const s
 /// "model" in the head: which robot it is of.
 std::string robotOf(const logs::Log& recording);
 
-/// Age of a session whose first and last recordings began then; all in s since 1970. Throws BadInput if the clock was set
-/// back since.
+/// Age of a session whose first and last recordings began then; all in s since 1970. Throws BadInput if the clock was
+/// set back since.
 double sessionAge(double first_s, double last_s, double now_s);
 
 /// What to know before recordings are added to earlier ones of which the last began this long ago; empty: nothing.

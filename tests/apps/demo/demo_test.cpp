@@ -1,6 +1,5 @@
 // `darwinop demo walk`: records a film on a PC without a display.
 #include <gmock/gmock.h>
-
 #include <signal.h>
 
 #include <chrono>
@@ -46,8 +45,8 @@ TEST(WalkDemo, RecordsTheRobotInSimulatedTime) {
 
 /// A film that takes longer to make than a test to read what was printed.
 std::vector<std::string> longFilm(const TemporaryFolder& folder) {
-  return {"/usr/bin/env", "-u",    "DISPLAY", "-u",     "WAYLAND_DISPLAY", DARWINOP_DEMO, "walk",
-          "--fps",        "120",   "--size",  "640x480", "--record",       folder / "pictures"};
+  return {"/usr/bin/env", "-u",  "DISPLAY", "-u",      "WAYLAND_DISPLAY", DARWINOP_DEMO,      "walk",
+          "--fps",        "120", "--size",  "640x480", "--record",        folder / "pictures"};
 }
 
 /// It receives SIGINT, where the default action would end it.
