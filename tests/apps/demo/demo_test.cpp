@@ -45,8 +45,8 @@ TEST(WalkDemo, RecordsTheRobotInSimulatedTime) {
 
 /// A film that takes longer to make than a test to read what was printed.
 std::vector<std::string> longFilm(const TemporaryFolder& folder) {
-  return {"/usr/bin/env", "-u",  "DISPLAY", "-u",      "WAYLAND_DISPLAY", DARWINOP_DEMO,      "walk",
-          "--fps",        "120", "--size",  "640x480", "--record",        folder / "pictures"};
+  return {"/usr/bin/env", "-u", "DISPLAY", "-u",      "WAYLAND_DISPLAY", DARWINOP_DEMO,      "walk",
+          "--fps",        "25", "--size",  "160x120", "--record",        folder / "pictures"};
 }
 
 /// It receives SIGINT, where the default action would end it.
