@@ -143,6 +143,7 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   records->add_flag("--floor", given.floor, "one more recording, standing on the floor");
   records->add_flag("--resume", given.resume, "keep the recordings in the folder and make the others");
   records->add_flag("--yes", given.yes, "ask nothing: the robot stands ready, and moves");
+  records->footer("Exit code: 0 done; 1 a recording failed; 2 nothing has begun; 130 stopped");
   CLI::App* const plan = on_case(add("plan", "the most informative next experiment, docs/gap/plan.md", gap::planNext));
   plan->add_option("--against", given.against,
                    "ID,ID: effects to separate; default: what an identification leaves open");

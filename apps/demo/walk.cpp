@@ -41,7 +41,7 @@ class WalkDemo {
   bool runSequence() {
     gait_.start();
     if (!steps(kStanceS)) return false;
-    print("stance reached");
+    print(kStanceReached);
 
     gait_.setXAmplitude(1);
     const std::array<double, 3> from = robot_.body().trunkPosition();

@@ -5,6 +5,8 @@
 
 namespace darwinop::demo {
 
+inline constexpr const char* kStanceReached = "stance reached";  // printed before the first step
+
 /// Exit code: 0 completed or ended by the user, 1 fell. Throws std::runtime_error.
 int walk(const twin::ShowOptions& options);
 

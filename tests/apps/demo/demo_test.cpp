@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/demo/walk.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "system/program.hpp"
@@ -61,7 +62,7 @@ bool receivesCtrlC(const Program& running) {
 TEST(WalkDemo, CtrlCEndsItAsStopped) {
   const TemporaryFolder folder;
   Program walk{longFilm(folder), folder / "walk.txt"};
-  ASSERT_TRUE(walk.says("stance reached", std::chrono::seconds{60})) << walk.output();
+  ASSERT_TRUE(walk.says(kStanceReached, std::chrono::seconds{60})) << walk.output();
   walk.kill(SIGINT);
   EXPECT_EQ(walk.wait(std::chrono::seconds{60}), 130) << walk.output();
   EXPECT_TRUE(std::filesystem::exists(folder / "pictures"));
