@@ -68,7 +68,7 @@ TEST_F(CommandLine, CtrlCDuringASweepEndsCalibrateAsStopped) {
 }
 
 TEST_F(CommandLine, CtrlCAtAQuestionEndsCalibrateAsStopped) {
-  ASSERT_EQ(mkfifo(file("answers").c_str(), 0600), 0);  // nobody answers
+  ASSERT_EQ(mkfifo(file("answers").c_str(), 0600), 0);  // no answer comes
   Program asking{{"/bin/sh", "-c", "exec \"$0\" \"$@\" <>" + file("answers"), program("darwinop-calibrate"), "by-hand",
                   "--robot", "twin", "Neck"},
                  file("calibrate.txt")};
