@@ -116,6 +116,13 @@ TEST_F(CommandLine, AWrongArgumentIsReportedWithTheCommandThatExplainsIt) {
   EXPECT_THAT(call("motion play own 9 --peroid 8").said, HasSubstr("darwinop motion play --help"));
 }
 
+TEST_F(CommandLine, EveryGapCommandHasAnExampleOfItself) {
+  for (const std::string name : {"check", "locate", "run", "report", "add", "case", "record", "plan", "export"}) {
+    const std::string command = "gap " + name;
+    EXPECT_THAT(call(command + " --help").said, HasSubstr("\n  darwinop " + command + " ")) << name;
+  }
+}
+
 TEST_F(CommandLine, RunNamesAnOptionThatItDoesNotHave) {
   const Outcome refused = call("run --robt virtual controller");
   EXPECT_EQ(refused.status, 2);
