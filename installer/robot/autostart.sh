@@ -48,12 +48,12 @@ autostart_set() {
   esac
 }
 
-# With a unit, rc.local is changed only if it starts the ROBOTIS demo.
+# With a unit, rc.local is changed only if it starts another program for the robot.
 rc_local_without_start() {
   file=$(rc_local_file)
   [ -f "$file" ] || return 0
-  if rc_local_touched "$file" || [ -n "$(rc_local_demo "$file")" ]; then
-    rc_local_restore && if [ -f "$file" ] && [ -n "$(rc_local_demo "$file")" ]; then rc_local_put 0; fi
+  if rc_local_touched "$file" || [ -n "$(rc_local_others "$file")" ]; then
+    rc_local_restore && if [ -f "$file" ] && [ -n "$(rc_local_others "$file")" ]; then rc_local_put 0; fi
   fi
 }
 
@@ -88,8 +88,8 @@ autostart_leftovers() {
 # Notes for the user before the installation, appended to a message.
 autostart_notes() {
   [ "$(autostart_wanted)" != none ] && [ -f "$(rc_local_file)" ] || return 0
-  demo=$(rc_local_demo "$(rc_local_file)")
-  [ -z "$demo" ] || printf '%s' "; in $etc/rc.local the ROBOTIS demo is disabled: $demo"
+  others=$(rc_local_others "$(rc_local_file)")
+  [ -z "$others" ] || printf '%s' "; disabled in $etc/rc.local: $others"
 }
 
 check_autostart() {

@@ -1,7 +1,7 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
 # Programs on the robot: stop, self-test, start.
 
-demo_ended=
+others_ended=
 
 # bring_to_rest: ends the controller, lets the robot sit down, ends daemon and supervisor. Returns when done. Fails without
 # --force if a joint may be under torque.
@@ -19,21 +19,23 @@ bring_to_rest() {
 
 has_unit() { [ -d /run/systemd/system ] && [ -f "$(unit_file)" ] && command -v systemctl >/dev/null 2>&1; }
 
-# The ROBOTIS demo uses the serial port without a lock, so the runtime would open it as well. It ends on SIGTERM; the servos keep their last goals.
-end_demo() {
+# The ROBOTIS demo and what Webots installs (default controller, remote control) use the serial port without a lock, so
+# the runtime would open it as well. They end on SIGTERM; the servos keep their last goals.
+end_other_programs() {
   for process in /proc/[0-9]*; do
     case $(readlink "$process/exe" 2>/dev/null) in
-      */Linux/project/demo/demo)
-        say "ending the ROBOTIS demo (process ${process#/proc/}); the servos keep their pose"
-        demo_ended=1
-        kill -TERM "${process#/proc/}" 2>/dev/null
-        seconds=0
-        while [ -d "$process" ] && [ "$seconds" -lt 5 ]; do
-          sleep 1
-          seconds=$((seconds + 1))
-        done
-        ;;
+      */Linux/project/demo/demo) other="the ROBOTIS demo" ;;
+      */Linux/project/webots/*) other="a program that Webots installed" ;;
+      *) continue ;;
     esac
+    say "ending $other (process ${process#/proc/}); the servos keep their pose"
+    others_ended=1
+    kill -TERM "${process#/proc/}" 2>/dev/null
+    seconds=0
+    while [ -d "$process" ] && [ "$seconds" -lt 5 ]; do
+      sleep 1
+      seconds=$((seconds + 1))
+    done
   done
 }
 

@@ -103,6 +103,6 @@ check_rc_local() {
     '#!'*) problem "$etc/rc.local is not a shell script ($opening); use --autostart none and start /opt/darwinop/start from it" ;;
   esac
   if sh -n "$file" 2>/dev/null && ! printf '%s\n' "$rc_text" | rc_local_disable | sh -n 2>/dev/null; then
-    problem "$etc/rc.local starts the ROBOTIS demo in a way that cannot be disabled without breaking the file; put '#' before that line and install again: $(rc_local_demo "$file")"
+    problem "$etc/rc.local starts another program for the robot in a way that cannot be disabled without breaking the file; put '#' before that line and install again: $(rc_local_others "$file")"
   fi
 }

@@ -2,7 +2,8 @@
 # Text of /etc/rc.local with and without our block. No side effects. `$text_rc_local` is the block.
 #
 # The block is right after the #! line, before any `exit 0`, sleep or failing line of the robot. Lines that start the
-# ROBOTIS demo are disabled in place; the `:` keeps an enclosing if or loop valid.
+# ROBOTIS demo, or the default controller of Webots' installation, are disabled in place; the `:` keeps an enclosing if or
+# loop valid.
 
 # rc_local_without FILE: the text without our changes, even if it was edited.
 rc_local_without() {
@@ -18,7 +19,7 @@ rc_local_without() {
     END { first(); if (inside) rest() }' "$1"
 }
 
-# rc_local_with FILE STARTS RAN: FILE has no block. STARTS 0: only disables the demo.
+# rc_local_with FILE STARTS RAN: FILE has no block. STARTS 0: only disables the others.
 # RAN 0: the file was not executable, so its lines did not run at boot and must not run now.
 rc_local_with() {
   opening=$(sed -n '1{s/\r$//;p;}' "$1")
@@ -46,13 +47,17 @@ rc_local_block() {
   done
 }
 
-# rc_local_disable <TEXT: disables command lines (joined at a trailing \) that run the ROBOTIS demo. Keeps lines that only
-# open an if, loop or case.
+# rc_local_disable <TEXT: disables command lines (joined at a trailing \) that run one of them. Keeps lines that only open
+# an if, loop or case.
 rc_local_disable() {
   awk '
+    function runs(all, folder, program) {
+      folder = "/Linux/project/" folder
+      return index(all, folder "/" program) || (index(all, folder) && index(all, "./" program))
+    }
     function group(  i, all, hit) {
       for (i = 1; i <= n; i++) all = all line[i] "\n"
-      hit = all ~ /\/Linux\/project\/demo\/demo/ || (all ~ /\/Linux\/project\/demo/ && all ~ /\.\/demo/)
+      hit = runs(all, "demo", "demo") || runs(all, "webots", "default")
       if (all ~ /^[ \t]*#/) hit = 0
       if (all ~ /^[ \t]*(if|elif|while|until|for|case)[ \t]/ && all !~ /[ \t;](fi|done|esac)[ \t\r\n;&]/) hit = 0
       for (i = 1; i <= n; i++) print (hit ? ": # darwinop-rt disabled: " : "") line[i]
@@ -64,7 +69,7 @@ rc_local_disable() {
 }
 
 # Lists in one line what would be disabled in FILE; empty: nothing.
-rc_local_demo() {
+rc_local_others() {
   rc_local_without "$1" | rc_local_disable | sed -n 's/^: # darwinop-rt disabled: *//p' | tr -d '\r' | tr '\n' ';' | sed 's/;$//'
 }
 

@@ -13,7 +13,7 @@ switch_to() {
   target=$1 before=$2 kind=$3
   # >>> transaction
   bring_to_rest
-  end_demo
+  end_other_programs
   mkdir -p "$home/kept" || back_out "cannot write into $home"
   echo "$kind" | put "$home/kept/autostart" || back_out "cannot write to $home; check for a full disk"
   echo "$before" | put "$home/pending" || back_out "cannot write to $home; check for a full disk"
@@ -46,7 +46,7 @@ finish() {
   autostart_set "$kind" || back_out "the autostart could not be set up"
   discard_others "$target" "$(version_previous)"
   sync
-  end_demo
+  end_other_programs
   start_supervisor
   # <<< transaction
   say "version $target $msg_confirmed"
@@ -58,7 +58,7 @@ back_out() {
   [ "$confirmed" = 0 ] || die "version $target $msg_stays; correct this and install it again"
   if [ "$before" = - ]; then
     leave_nothing
-    die "version $target removed; the robot is as before${demo_ended:+, but the ROBOTIS demo runs again only after the next boot}"
+    die "version $target removed; the robot is as before${others_ended:+, but what was ended runs again only after the next boot}"
   fi
   # >>> transaction
   point "$home/current" "versions/$before"

@@ -86,21 +86,26 @@ scenario_fresh_install_killed_at_odd_places() { fresh_install_killed 0; }
 scenario_fresh_install_killed_at_even_places() { fresh_install_killed 1; }
 
 # Confirmed, but not yet in the autostart: the next boot has started the demo.
-scenario_an_installation_that_is_completed_ends_the_demo() {
-  local v1 demo=$ROBOT/darwin/Linux/project/demo/demo process; v1=$(fake_bundle 0.1.0+a)
+scenario_an_installation_that_is_completed_ends_the_demo() { completed_ends /darwin/Linux/project/demo/demo; }
+scenario_an_installation_that_is_completed_ends_a_default_controller_of_webots() {
+  completed_ends /robotis/Linux/project/webots/default
+}
+completed_ends() { # PROGRAM on the robot that uses the port without a lock
+  local v1 process; v1=$(fake_bundle 0.1.0+a)
   login=robotis
   changed_installer 'kill -9 $$' "switch.sh:$(grep -n '  autostart_set ' "$SOURCE/installer/robot/switch.sh" | cut -d: -f1)"
   run_changed --bundle "$v1"
   robot_quiet
   expect_version 0.1.0+a
   expect_confirmed
-  rm "$demo"
-  cp /usr/bin/sleep "$demo"
-  chroot "$ROBOT" "${demo#"$ROBOT"}" 300 &
+  mkdir -p "$ROBOT${1%/*}"
+  rm -f "$ROBOT$1"
+  cp /usr/bin/sleep "$ROBOT$1"
+  chroot "$ROBOT" "$1" 300 &
   process=$!
   run_install -i "$LAB/pc/key" --bundle "$v1"
   expect_status 0
-  ! kill -0 "$process" 2>/dev/null || fail "the demo goes on beside the runtime"
+  ! kill -0 "$process" 2>/dev/null || fail "$1 goes on beside the runtime"
 }
 
 # A failed self-test reverts the version, which must be equally safe.

@@ -65,6 +65,19 @@ scenario_demo_inside_an_if() {
 scenario_demo_inside_an_if_with_else() {
   odd_rc_local --boot-too <<<$'#!/bin/sh\nif true; then\n'"$demo"$' &\nelse\n'"$demo"$'\nfi'
 }
+# As Webots' own installation writes it: of 2013, and for the OP2.
+webots_default() {
+  mkdir -p "$ROBOT$1"
+  cp -p "$ROBOT$demo" "$ROBOT$1/default"
+}
+scenario_default_controller_of_webots_2013() {
+  webots_default /darwin/Linux/project/webots
+  odd_rc_local --boot-too --upgrade-too <<<$'#!/bin/sh -e\n/darwin/Linux/project/webots/default\nexit 0'
+}
+scenario_default_controller_of_webots_for_the_op2() {
+  webots_default /robotis/Linux/project/webots
+  odd_rc_local --boot-too <<<$'#!/bin/sh -e\nif [ -d /robotis ]; then\n  cd /robotis/Linux/project/webots && ./default || /darwin/Linux/project/webots/default\nfi\nexit 0'
+}
 scenario_no_newline_at_the_end() { odd_rc_local --boot-too < <(printf '#!/bin/sh -e\n%s\nexit 0' "$demo"); }
 scenario_demo_is_the_last_line_without_newline() { odd_rc_local --boot-too < <(printf '#!/bin/sh -e\n%s' "$demo"); }
 scenario_only_the_first_line_without_newline() { odd_rc_local --boot-too < <(printf '#!/bin/sh -e'); }
