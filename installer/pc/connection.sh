@@ -30,13 +30,32 @@ disconnect() {
 }
 
 # robot_run FUNCTION ARGUMENTS... <DATA: runs a function of installer/robot/*.sh as root on the robot, DATA its stdin.
-# The program is passed on the command line, so that stdin is free. Returns the function's status; 255: connection lost.
+# The program comes before the data: sudo would write a command line of 80 kB into the robot's log. Returns the function's
+# status; 255: connection lost.
 robot_run() {
   robot_program=$(robot_text && printf '\nmain ' && quote "$@") || die "cannot read $installer/robot"
-  robot_command="${as_root}sh -c $(quote "$robot_program")"
-  { [ -z "${sudo_password:-}" ] || printf '%s\n' "$password"; printf 'darwinop-stream\n'; cat; } |
-    ssh_session "$robot_command"
+  {
+    [ -z "${sudo_password:-}" ] || printf '%s\n' "$password"
+    printf '%s\n' darwinop-program "$robot_program" darwinop-data
+    cat
+  } | ssh_session "${as_root}sh -c $(quote "$receive_program")"
 }
+
+# On the robot, where stdin begins with the password if sudo did not read it. `read` takes no byte of the data.
+receive_program='
+line=
+until [ "$line" = darwinop-program ]; do IFS= read -r line || break; done
+program=
+while IFS= read -r line; do
+  if [ "$line" = darwinop-data ]; then
+    eval "$program"
+    exit
+  fi
+  program="$program$line
+"
+done
+echo "robot: the connection was closed before the data; nothing was changed" >&2
+exit 1'
 
 # The functions, and small files to be written, as shell variables.
 robot_text() {
@@ -113,7 +132,8 @@ log_in_with_key() {
 }
 
 log_in_with_password() {
-  if grep 'Permission denied' "$connection/said" | grep -v -q -e password -e keyboard-interactive; then
+  # In brackets: what the robot accepts. Without, what ssh says of a key file.
+  if grep 'Permission denied (' "$connection/said" | grep -v -q -e password -e keyboard-interactive; then
     die "$target accepts keys only, and none of yours; copy a key to it from a machine that can log in, or specify one with -i"
   fi
   need_password "login"

@@ -1,11 +1,11 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# Runs on the robot as root, sent as one command line. Requires only sh, tar, gzip and coreutils of 2009.
+# Runs on the robot as root. Requires only sh, tar, gzip and coreutils of 2009.
 # installer/pc/connection.sh concatenates the files of this folder and appends `main FUNCTION ARGUMENTS`.
 
 home=/opt/darwinop
 etc=/etc
 
-# main FUNCTION ARGUMENTS: stdin is the password line (if sudo did not read it), the line darwinop-stream, data.
+# main FUNCTION ARGUMENTS <DATA
 main() {
   set -u
   umask 022
@@ -13,13 +13,7 @@ main() {
   export LC_ALL PATH
   # A lost connection must not end this program between two steps: ignore SIGPIPE, so that writes only fail.
   trap '' HUP PIPE
-  while IFS= read -r line; do
-    if [ "$line" = darwinop-stream ]; then
-      "$@"
-      exit
-    fi
-  done
-  die "the connection was closed before the data; nothing was changed"
+  "$@"
 }
 
 say() { printf '%s\n' "robot: $*" >&2; }

@@ -104,6 +104,29 @@ scenario_key_and_sudo_with_password() {
   expect_version 0.1.0+a
 }
 
+# Of it ssh says "Permission denied" as well.
+scenario_a_key_file_that_cannot_be_read_leaves_the_password() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  pc_program ssh <<'END'
+#!/bin/sh
+case " $* " in *" PasswordAuthentication=no "*) echo 'Load key "/home/me/.ssh/id_rsa": Permission denied' >&2 ;; esac
+exec /usr/bin/ssh "$@"
+END
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_version 0.1.0+a
+}
+
+scenario_the_program_is_in_no_command_line_that_sudo_logs() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  mv "$ROBOT/bin/sudo" "$ROBOT/bin/sudo.real"
+  printf '#!/bin/sh\necho "$*" >>/tmp/sudo-calls\nexec /bin/sudo.real "$@"\n' >"$ROBOT/bin/sudo"
+  chmod 755 "$ROBOT/bin/sudo"
+  run_install --bundle "$v1"
+  expect_status 0
+  [ "$(wc -c <"$ROBOT/tmp/sudo-calls")" -lt 4000 ] || fail "sudo would log $(wc -c <"$ROBOT/tmp/sudo-calls") bytes"
+}
+
 scenario_root_by_key() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   login=root
