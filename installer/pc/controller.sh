@@ -30,14 +30,15 @@ controller_main() {
       attended "$controller_name" run_controller "$controller_name" "${force:-0}" "$@"
       report_ending $?
       ;;
-    make-default) robot_run make_default "$controller_name" </dev/null ;;
-    no-default) robot_run make_no_default </dev/null ;;
-    stop) robot_run stop_controllers </dev/null ;;
+    make-default) at_once make_default "$controller_name" ;;
+    no-default) at_once make_no_default ;;
+    stop) at_once stop_controllers ;;
     logs)
       if [ "${logs_follow:-0}" = 1 ]; then
         attended '' show_logs 1
+        report_lost $?
       else
-        robot_run show_logs 0 </dev/null
+        at_once show_logs 0
       fi
       ;;
   esac
@@ -77,6 +78,25 @@ pack_controller() { # -> kilobytes data_count archive_sum
   gzip "$connection/controller.tar" || die "cannot write to $connection: is the disk full?"
   archive_sum=$(cksum <"$connection/controller.tar.gz")
   close_build_cache
+}
+
+# at_once FUNCTION ARGUMENTS...: runs a function on the robot that needs no input.
+at_once() {
+  robot_run "$@" </dev/null
+  report_lost $?
+}
+
+# What a lost connection left open.
+report_lost() { # STATUS of the function
+  if [ "$1" = 255 ]; then
+    case $controller_action in
+      stop) lost_means="the robot may still be driven; run the same command again" ;;
+      logs) lost_means="nothing on the robot has changed" ;;
+      *) lost_means="the robot may have changed or not; run the same command again" ;;
+    esac
+    die "$msg_robot_lost; $lost_means"
+  fi
+  return "$1"
 }
 
 # attended NAME FUNCTION ARGUMENTS...: runs a function on the robot until its stdin ends, streaming its output. Sends a

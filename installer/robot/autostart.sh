@@ -87,7 +87,11 @@ autostart_leftovers() {
 
 # Notes for the user before the installation, appended to a message.
 autostart_notes() {
-  [ "$(autostart_wanted)" != none ] && [ -f "$(rc_local_file)" ] || return 0
+  [ "$(autostart_wanted)" != none ] || return 0
+  if [ "$(version_current)" != - ] && [ "$(autostart_kind)" = none ]; then
+    printf '%s' ", $msg_autostart_again; --autostart none keeps it off"
+  fi
+  [ -f "$(rc_local_file)" ] || return 0
   others=$(rc_local_others "$(rc_local_file)")
   [ -z "$others" ] || printf '%s' "; disabled in $etc/rc.local: $others"
 }

@@ -78,7 +78,9 @@ is_linked() { # .sent-XXXXXX
 }
 
 # shellcheck disable=SC2010  # names under /proc are numbers
-is_in_use() { ls -l /proc/[0-9]*/exe /proc/[0-9]*/cwd 2>/dev/null | grep -qF -e "-> $1/"; }
+is_in_use() { # FOLDER; /proc has real paths, and /opt may be a link
+  ls -l /proc/[0-9]*/exe /proc/[0-9]*/cwd 2>/dev/null | grep -qF -e "-> $(cd "$1" && pwd -P)/"
+}
 
 supervisor() { "$home/current/bin/darwinop-supervisor" "$@"; }
 supervisor_runs() { supervisor --status >/dev/null 2>&1; }

@@ -109,9 +109,12 @@ check_programs() {
 
 check_space() {
   needed=$((2 * unpacked_kb + archive_kb))
+  # A complete version is not unpacked again.
+  ! whole "$home/versions/$(folder_for "$version" "$manifest")" 2>/dev/null || needed=0
   free=$(free_kb)
-  [ "${free:-0}" -ge "$needed" ] ||
-    problem "$(existing "$home") has ${free:-0} kB free, the installation needs $needed kB; free some space, for example remove old recordings"
+  free=$((${free:-0} + $(leftover_kb)))
+  [ "$free" -ge "$needed" ] ||
+    problem "$(existing "$home") has $free kB free, the installation needs $needed kB; free some space, for example remove old recordings"
   for folder in "$(existing "$home")" "$etc"; do
     if [ -w "$folder" ] && ! read_only "$folder"; then continue; fi
     problem "cannot write to $folder; check that the disk is not mounted read-only"

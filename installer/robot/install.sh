@@ -36,6 +36,8 @@ install_bundle() {
   target=$(folder_for "$version" "$manifest")
   if [ "$(version_current)" = "$target" ] && [ ! -e "$home/pending" ] && whole "$home/versions/$target"; then
     confirmed=1
+    # A supervisor that runs already would keep another kind of autostart from starting its own.
+    [ "$(autostart_kind)" = "$kind" ] || bring_to_rest
     finish "$target" "$(version_previous)" "$kind"
     return
   fi

@@ -25,10 +25,10 @@ version_previous() {
 manifest_of() { cksum <"$1/MANIFEST" 2>/dev/null | tr ' ' '-'; }
 
 # folder_for VERSION MANIFEST: folder name below versions/. Another build of the same version gets another name, so that
-# the running one stays complete.
+# the running one stays complete. The underscore ends the version for `compare`.
 folder_for() {
   if [ -d "$home/versions/$1" ] && [ "$(manifest_of "$home/versions/$1")" != "$2" ]; then
-    echo "$1.${2%%-*}"
+    echo "$1_${2%%-*}"
   else
     echo "$1"
   fi
@@ -41,6 +41,9 @@ whole() {
     sed 's/^[0-9]* [0-9]* //' MANIFEST | while IFS= read -r path; do cksum "$path"; done 2>/dev/null | cmp -s - MANIFEST
   )
 }
+
+# What a killed installation has left, in kB: remove_leftovers gives it back.
+leftover_kb() { du -s -k "$home"/versions/.staging-* 2>/dev/null | awk '{ kb += $1 } END { print kb + 0 }'; }
 
 # Removes leftovers of a killed installation. Requires the lock.
 remove_leftovers() {

@@ -313,6 +313,23 @@ scenario_a_controller_is_on_the_disk_before_its_name_leads_to_it() {
   [ "$(tail -n 1 "$ROBOT/run/synced")" != "$first" ] || fail "the new name was not written to the disk"
 }
 
+scenario_a_running_controller_keeps_its_files_where_opt_is_a_link() {
+  local first process
+  controller walker 'return 0;'
+  mv "$ROBOT/opt" "$ROBOT/home/opt"
+  ln -s /home/opt "$ROBOT/opt"
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  first=$ROBOT/home/opt/darwinop/controllers/$(readlink "$ROBOT/home/opt/darwinop/controllers/walker")
+  chroot "$ROBOT" /bin/sh -c 'cd /opt/darwinop/controllers/walker && exec sleep 300' &
+  process=$!
+  until [[ $(readlink "/proc/$process/cwd") = *walker ]]; do sleep 0.02; done
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  [ -e "$first/walker" ] || fail "the files of a running controller were removed"
+  kill "$process"
+}
+
 scenario_a_full_disk_is_refused_before_anything_is_sent() {
   controller walker 'return 0;'
   mkdir "$ROBOT/opt/darwinop/controllers"

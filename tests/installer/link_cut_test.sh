@@ -46,6 +46,16 @@ scenario_upgrade_cut_after_the_archive() {
   done
 }
 
+scenario_stop_says_that_the_connection_was_lost() {
+  begin_with "$(fake_bundle 0.1.0+a)" "$(fake_bundle 0.2.0+b)"
+  rm -f "$LAB/sent"
+  run_install -i "$LAB/pc/key" -o "ProxyCommand=$HERE/cut_link.sh 1000000000 %h %p $LAB/sent" --stop
+  expect_status 0
+  run_install -i "$LAB/pc/key" -o "ProxyCommand=$HERE/cut_link.sh $(($(stat -c %s "$LAB/sent") / 2)) %h %p /dev/null" --stop
+  expect_status 1
+  expect_said "$msg_robot_lost"
+}
+
 # The robot has not noticed yet that the first one is cut: the second waits its turn, and nothing is taken from under it.
 scenario_again_at_once_on_a_fresh_robot() {
   local round

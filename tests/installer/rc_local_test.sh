@@ -150,11 +150,15 @@ scenario_block_taken_out_by_hand_comes_back_with_the_next_install() {
   printf '#!/bin/sh -e\nexit 0\n' | cmp -s - "$(rc_local)" || fail "uninstall left: $(cat -A "$(rc_local)")"
 }
 
-scenario_systemd_robot() {
-  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+with_systemd() {
   mkdir -p "$ROBOT/run/systemd/system" "$ROBOT/etc/systemd/system/multi-user.target.wants"
   printf '#!/bin/sh\necho "systemctl $*" >>/run/systemctl-calls\n' >"$ROBOT/bin/systemctl"
   chmod 755 "$ROBOT/bin/systemctl"
+}
+
+scenario_systemd_robot() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  with_systemd
   remember_disk
   cp "$(rc_local)" "$LAB/rc.local"
   run_install --bundle "$v1"
@@ -169,6 +173,31 @@ scenario_systemd_robot() {
   expect_status 0
   robot_quiet
   expect_same_disk "uninstall did not bring the disk back"
+}
+
+# The unit's start would fail beside it, again and again.
+scenario_a_supervisor_of_rc_local_is_ended_before_a_unit_starts_one() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  with_systemd
+  run_install --autostart rc.local --bundle "$v1"
+  expect_status 0
+  run_rc_local
+  [ "$booted" = 0.1.0+a ] || fail "no supervisor runs"
+  run_install --autostart systemd --bundle "$v1"
+  expect_status 0
+  grep -q restart "$ROBOT/run/systemctl-calls" || fail "the unit was not started"
+  [ ! -e "$ROBOT/run/fake-supervisor.pid" ] || fail "the unit was started beside a supervisor"
+}
+
+scenario_an_autostart_that_was_switched_off_is_announced() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  with_systemd
+  run_install --bundle "$v1"
+  expect_not_said "$msg_autostart_again"
+  rm "$ROBOT/etc/systemd/system/multi-user.target.wants/darwinop.service"  # systemctl disable
+  run_install --dry-run --bundle "$v2"
+  expect_status 0
+  expect_said "$msg_autostart_again"
 }
 
 scenario_autostart_none_then_rc_local() {

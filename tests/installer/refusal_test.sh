@@ -16,6 +16,30 @@ scenario_disk_full_is_seen_before_any_change() {
   expect_same_disk --touched "a robot without room was changed"
 }
 
+scenario_what_a_power_cut_left_counts_as_free() {
+  local v1; v1=$(fake_bundle 0.1.0+a 800)
+  limit_disk 3500k
+  mkdir -p "$ROBOT/opt/darwinop/versions/.staging-99"
+  head -c 1500k /dev/zero >"$ROBOT/opt/darwinop/versions/.staging-99/archive.tar.gz"
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_version 0.1.0+a
+  [ ! -e "$ROBOT/opt/darwinop/versions/.staging-99" ] || fail "what the power cut left is still there"
+}
+
+scenario_a_complete_version_needs_no_more_room() {
+  local v1; v1=$(fake_bundle 0.1.0+a 800)
+  limit_disk 3500k
+  run_install --bundle "$v1"
+  expect_status 0
+  head -c 2200k /dev/zero >"$ROBOT/opt/recording.csv"
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_said "$msg_nothing_to_do"
+  run_install --autostart none --bundle "$v1"
+  expect_status 0
+}
+
 # Somebody else fills the disk after the check: df says what is not so.
 lying_df() {
   rm "$ROBOT/bin/df"

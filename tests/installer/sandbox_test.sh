@@ -27,6 +27,11 @@ scenario_installed_unit_is_the_template_and_systemd_accepts_it() {
     fail "more exposed than docs/run-on-the-robot.md says: $(tail -n 1 "$LAB/exposure")"
 }
 
+# Any of these makes systemd 247 refuse the serial device.
+scenario_unit_says_nothing_about_devices() {
+  ! grep -E '^(ProtectClock|PrivateDevices|DeviceAllow|DevicePolicy)=' "$unit" || fail "an older systemd would refuse devices"
+}
+
 # Each documented restriction, and what the loop needs.
 scenario_unit_has_the_documented_restrictions() {
   local line group

@@ -27,6 +27,16 @@ scenario_same_version_again_changes_nothing() {
   expect_same_disk --touched "installing the same version twice changed something"
 }
 
+# As from a source archive without git: every build has the same number.
+scenario_any_other_build_of_the_same_number_is_installed() {
+  local kilobytes
+  for kilobytes in 20 21 22 20; do
+    run_install --bundle "$(fake_bundle 0.1.0 "$kilobytes")"
+    expect_status 0
+    expect_confirmed
+  done
+}
+
 # refuse_user: as while another program has locked the user database.
 refuse_user() {
   sed -i '/^darwinop:/d' "$ROBOT/etc/passwd"
