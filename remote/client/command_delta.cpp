@@ -15,7 +15,7 @@ std::int32_t goalOnWire(Rad goal) {
   return std::isnan(goal.value) ? kNoValue : cut(std::round(std::clamp(goal.value, -kPi, kPi) * 2048 / kPi));
 }
 std::int32_t speedOnWire(RadPerSec speed) {
-  return cut(std::round(std::abs(speed.value) / kRadPerSecPerCount));
+  return cut(std::round(std::min(std::abs(speed.value) / kRadPerSecPerCount, double{kSpeedMax})));
 }
 /// 0 would switch torque off. A limit that is not finite is ignored, as in safety: the joint keeps its limit.
 std::int32_t torqueOnWire(const JointCommand& wanted) {
@@ -44,7 +44,7 @@ MotorSetting settingOf(Joint joint, const JointCommand& wanted) {
     torque.torque_on = !wanted.has(JointCommand::kTorque) || wanted.torque_on;
     set(M::kAvailableTorque, setting.available_torque, torqueOnWire(torque));
   }
-  if (wanted.has(JointCommand::kPGain)) set(M::kPid, setting.pid[0], cut(std::round(wanted.p_gain * 1000)));
+  if (wanted.has(JointCommand::kPGain)) set(M::kPid, setting.pid[0], cut(std::round(std::min(wanted.p_gain, kMaxPGain) * 1000)));
   return setting;
 }
 

@@ -36,10 +36,9 @@ constexpr bool isEncoderPosition(std::int32_t wire) {
 constexpr double velocityFromWire(std::int32_t wire) {
   return wire * kRpmPerCount * kPi / 30.0;
 }
-/// Integer division, as in the 2013 server: 0.5 becomes 0. -1 means no limit.
+/// -1 means no limit. The 2013 server cut to whole numbers: 0.5 became 0, there the slowest ramp, here none.
 constexpr double accelerationFromWire(std::int32_t wire) {
-  const std::int32_t whole = wire / 100000;
-  return whole;
+  return wire / 100000.0;
 }
 constexpr double torqueFromWire(std::int32_t wire) {
   return wire * kMaxTorqueNm / kTorqueMax;

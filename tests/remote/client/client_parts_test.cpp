@@ -41,6 +41,18 @@ TEST(RemoteCommandDelta, ClampsGoalsToTheEncodersRange) {
       << "the server ignores values outside the encoder's range";
 }
 
+TEST(RemoteCommandDelta, ClampsSpeedAndGainAsSafetyDoes) {
+  CommandDelta delta;
+  Commands wanted;
+  wanted.joint[3].setSpeedLimit(RadPerSec{1e9});
+  wanted.joint[3].setPGain(1e9);
+  const Request request = changesFrom(delta, wanted);
+  ASSERT_EQ(request.motors.size(), 1);
+  EXPECT_TRUE(request.motors[0].has(MotorSetting::kVelocity));
+  EXPECT_EQ(request.motors[0].velocity, 1023);
+  EXPECT_EQ(request.motors[0].pid[0], 31750);
+}
+
 TEST(RemoteCommandDelta, IgnoresNan) {
   CommandDelta delta;
   Commands wanted;

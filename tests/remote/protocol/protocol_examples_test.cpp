@@ -75,8 +75,8 @@ TEST(RemoteExample, AllSettingsOfAMotor) {
                                   .torque = cut(0.5 * kTorqueMax / kMaxTorqueNm),
                                   .pid = {10000, 0, 0}}),
                  kSixRequest);
-  EXPECT_EQ(accelerationFromWire(350000), 3);
-  EXPECT_EQ(accelerationFromWire(50000), 0);
+  EXPECT_EQ(accelerationFromWire(350000), 3.5);
+  EXPECT_EQ(accelerationFromWire(50000), 0.5) << "0 would be no ramp: the most violent motion of all";
   EXPECT_EQ(gainFromWire(10000), 10);
 }
 
