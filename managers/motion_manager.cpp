@@ -42,13 +42,12 @@ struct DARwInOPMotionManager::Stage final : darwinop::webots_api::StepObserver {
   [[nodiscard]] bool isPlaying() const { return player && player->isPlaying(); }
   bool start(int page);
   bool advance(double ms);
+  bool advanceOnRobotsTime(int declared_ms);
   void end();
 
   /// Code of the robot of 2013 calls no step() of the manager: there a thread played the page.
   void beforeStep(int ms) override {
-    const darwinop::webots_api::RobotImpl* const inside = darwinop::webots_api::currentRobot();
-    if (inside && isPlaying() && !waited_for && !stepped)
-      advance(clock.advance(std::max(ms, 0), inside->session().robotMs(), inside->session().periodMs()));
+    if (isPlaying() && !waited_for && !stepped) advanceOnRobotsTime(ms);
   }
   void beforeEnd() override {}
 
@@ -75,6 +74,13 @@ bool DARwInOPMotionManager::Stage::start(int page) {
   }
   warnOnce(name + (page < 1 || page > 255 ? " does not exist: pages are 1 to 255" : " is empty: nothing is played"));
   return false;
+}
+
+/// Plays for a step of `declared_ms`, or longer if the controller's loop is slower than that.
+bool DARwInOPMotionManager::Stage::advanceOnRobotsTime(int declared_ms) {
+  const darwinop::webots_api::RobotImpl* const inside = darwinop::webots_api::currentRobot();
+  const double ms = std::max(declared_ms, 0);
+  return advance(inside ? clock.advance(ms, inside->session().robotMs(), inside->session().periodMs()) : ms);
 }
 
 /// Plays for `ms`. False if the page has ended and the joints have their final goals.
@@ -150,7 +156,7 @@ void DARwInOPMotionManager::playPage(int id, bool sync) {
       stage.end();
     }
   } waited{*stage_};
-  while (stage_->advance(step_ms))
+  while (stage_->advanceOnRobotsTime(step_ms))
     if (stage_->robot->step(step_ms) == -1) return;
 }
 

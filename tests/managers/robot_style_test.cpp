@@ -53,6 +53,31 @@ TEST_F(RobotStyle, AnAsynchronousPageIsPlayedByTheStepsOfTheRobot) {
   EXPECT_EQ(robot.playAsynchronously(2, 100), 9) << "16 ticks of 8 ms; the end shows with the tick after them";
 }
 
+/// Its image processing takes this long in each step.
+class SlowRobot : public webots::Robot {
+ public:
+  SlowRobot(RobotImpl* impl, FakeRobot& fake) : Robot(impl), fake_{fake} {}
+  int step(int ms) override {
+    const int late = Robot::step(ms);
+    fake_.pass(std::chrono::milliseconds{24});
+    return late;
+  }
+
+ private:
+  FakeRobot& fake_;
+};
+
+TEST_F(RobotStyle, APageThatIsWaitedForTakesTheRobotsTimeInASlowLoop) {
+  pages_[1].step[0].time = 255;  // 2 s
+  write();
+  end();
+  SlowRobot robot{makeImpl(), fake};
+  managers::RobotisOp2MotionManager manager{&robot, path_};
+  const Nanos begun = fake.now;
+  manager.playPage(1);
+  EXPECT_NEAR(static_cast<double>((fake.now - begun).count()) * 1e-9, 258 * 0.008, 0.15);
+}
+
 TEST_F(RobotStyle, APageTakesTheRobotsTimeInASlowLoop) {
   managers::RobotisOp2MotionManager manager{&robot(), path_};
   manager.playPage(1, false);
