@@ -13,13 +13,24 @@ namespace webots {
 
 using darwinop::webots_api::warnOnce;
 
+namespace {
+
+/// False, with a warning: the value before stays in force. A joint that does not answer has a position of NaN.
+bool isNumber(double value, const char* call, const Motor& motor) {
+  if (value == value) return true;
+  warnOnce(std::string{call} + "(NaN) of " + motor.getName() + " is ignored");
+  return false;
+}
+
+}  // namespace
+
 Motor::Motor(const std::string& name, darwinop::webots_api::RobotImpl& robot, darwinop::goals::MotorControl& control)
     : Device(name, Node::ROTATIONAL_MOTOR, robot), control_(control), torque_period_(0), position_period_(0) {}
 
 Motor::~Motor() = default;
 
 void Motor::setPosition(double position) {
-  control_.setPosition(position);
+  if (isNumber(position, "setPosition", *this)) control_.setPosition(position);
 }
 
 double Motor::getTargetPosition() const {
@@ -30,29 +41,29 @@ double Motor::getTargetPosition() const {
 }
 
 void Motor::setVelocity(double velocity) {
-  control_.setVelocity(velocity);
+  if (isNumber(velocity, "setVelocity", *this)) control_.setVelocity(velocity);
 }
 void Motor::setAcceleration(double acceleration) {
-  control_.setAcceleration(acceleration);
+  if (isNumber(acceleration, "setAcceleration", *this)) control_.setAcceleration(acceleration);
 }
 void Motor::setAvailableTorque(double torque) {
-  control_.setAvailableTorque(torque);
+  if (isNumber(torque, "setAvailableTorque", *this)) control_.setAvailableTorque(torque);
 }
 void Motor::setAvailableForce(double force) {
-  control_.setAvailableTorque(force);
+  setAvailableTorque(force);
 }
 void Motor::setForce(double force) {
   setTorque(force);
 }
 
 void Motor::setTorque(double torque) {
-  if (torque != torque) return warnOnce("setTorque(NaN) of " + getName() + " is ignored");
-  control_.setTorque(torque);
+  if (isNumber(torque, "setTorque", *this)) control_.setTorque(torque);
 }
 
 void Motor::setControlPID(double p, double i, double d) {
   if (i != 0 || d != 0)
     warnOnce("setControlPID() of " + getName() + ": i and d have no effect on this robot, only p has");
+  if (!isNumber(p, "setControlPID", *this)) return;
   if (p < 0) return warnOnce("setControlPID() of " + getName() + ": a negative p is ignored");
   if (p < 3 && !robot_.is_tool)
     warnOnce("setControlPID() of " + getName() + ": with p under 3 the motor may not reach its goal");

@@ -82,8 +82,10 @@ void RobotImpl::stepBegin(int ms) {
 }
 
 void RobotImpl::takeMotors(int ms) {
+  const Sensors& seen = session_.sensors();
+  const auto usual_gain = static_cast<double>(seen.safety.default_p_gain);
   for (std::size_t i = 0; i < kJoints; ++i) {
-    commands_.joint[i] = motors_[i].command(session_.sensors().joint[i], std::max(ms, 0) / 1000.0);
+    commands_.joint[i] = motors_[i].command(seen.joint[i], usual_gain, std::max(ms, 0) / 1000.0);
     addLentGain(i);
     addLentSpeed(i);
   }

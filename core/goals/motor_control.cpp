@@ -4,6 +4,13 @@
 #include <algorithm>
 
 namespace darwinop::goals {
+namespace {
+
+// s. How old a reading is when the goal that follows from it reaches the servo, and then until the next one does: up to
+// six cycles of 16 ms, in a controller that computes for long.
+constexpr double kReadingAge = 0.1;
+
+}  // namespace
 
 void MotorControl::setPosition(double rad) {
   position_ = rad;
@@ -18,7 +25,7 @@ void MotorControl::setAcceleration(double rad_per_s2) {
 
 void MotorControl::setAvailableTorque(double newton_meter) {
   torque_touched_ = true;
-  available_torque_ = std::isnan(newton_meter) ? newton_meter : std::clamp(newton_meter, 0.0, kMaxTorqueNm);
+  available_torque_ = std::clamp(newton_meter, 0.0, kMaxTorqueNm);
 }
 
 void MotorControl::setTorque(double newton_meter) {
@@ -26,14 +33,15 @@ void MotorControl::setTorque(double newton_meter) {
   torque_ = newton_meter;
 }
 
-JointCommand MotorControl::command(const JointSensors& seen, double dt_s) {
+JointCommand MotorControl::command(const JointSensors& seen, double usual_gain, double dt_s) {
   JointCommand out;
   const std::optional<double> requested = goal(seen);
-  if (requested) out.setGoal(Rad{*requested});
+  const bool is_slow = velocity_ || torque_;  // the joint may stay behind its goal
+  if (requested) out.setGoal(is_slow ? withinPull(*requested, seen, usual_gain) : Rad{*requested});
   if (acceleration_ > 0 && requested) {
     const double cruise = std::abs(velocity());
-    const double reachable = std::clamp(*requested, low(), high());
-    out.setSpeedLimit(RadPerSec{ramp_.next(cruise, acceleration_, reachable - seen.position.value, dt_s)});
+    const Rad reachable{std::clamp(*requested, low(), high())};
+    out.setSpeedLimit(RadPerSec{ramp_.next(cruise, acceleration_, reachable, seen, dt_s)});
   } else {
     if (acceleration_ <= 0) restartRamp();
     if (velocity_) out.setSpeedLimit(RadPerSec{std::abs(*velocity_)});
@@ -57,11 +65,22 @@ std::optional<double> MotorControl::goal(const JointSensors& seen) {
   return held_;
 }
 
+/// No farther ahead of the joint than a goal that exerts the whole torque: it would have to come back first when the
+/// direction changes, and the joint would go on in the old one meanwhile.
+Rad MotorControl::withinPull(double goal, const JointSensors& seen, double usual_gain) const {
+  const double error = kFullDriveError / p_gain_.value_or(usual_gain) * torqueLimit() / kMaxTorqueNm;
+  const double lead = error + std::abs(seen.velocity.value) * kReadingAge;
+  const double here = seen.position.value;
+  return Rad{lead > 0 && here == here ? std::clamp(goal, here - lead, here + lead) : goal};
+}
+
+double MotorControl::torqueLimit() const {
+  return torque_ ? std::min(availableTorque(), std::abs(*torque_)) : availableTorque();
+}
+
 void MotorControl::addTorque(JointCommand& command) const {
   if (!torque_touched_) return;
-  double limit = availableTorque();
-  if (torque_) limit = std::min(limit, std::abs(*torque_));
-  // Only 0 switches torque off; safety rejects a limit that is not a number.
+  const double limit = torqueLimit();
   command.setTorque(limit != 0);
   if (limit != 0) command.setTorqueLimit(NewtonMeter{limit});
 }

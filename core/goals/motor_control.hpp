@@ -12,6 +12,7 @@
 
 namespace darwinop::goals {
 
+/// Values are numbers, INFINITY included, never NaN.
 class MotorControl {
  public:
   explicit MotorControl(Joint joint) : row_{&row(joint)} {}
@@ -26,8 +27,9 @@ class MotorControl {
   /// The next command with an acceleration starts at rest.
   void restartRamp() { ramp_ = {}; }
 
-  /// Command for the next `dt_s` seconds; `seen`: newest sensor values of the joint.
-  [[nodiscard]] JointCommand command(const JointSensors& seen, double dt_s);
+  /// Command for the next `dt_s` seconds; `seen`: newest sensor values of the joint. `usual_gain`: P gain without
+  /// setPGain(); NaN: not known.
+  [[nodiscard]] JointCommand command(const JointSensors& seen, double usual_gain, double dt_s);
 
   [[nodiscard]] const JointRow& joint() const { return *row_; }
   [[nodiscard]] std::optional<double> position() const { return position_; }
@@ -39,6 +41,8 @@ class MotorControl {
 
  private:
   [[nodiscard]] std::optional<double> goal(const JointSensors& seen);
+  [[nodiscard]] Rad withinPull(double goal, const JointSensors& seen, double usual_gain) const;
+  [[nodiscard]] double torqueLimit() const;
   void addTorque(JointCommand& command) const;
 
   const JointRow* row_;

@@ -56,7 +56,8 @@ void LinkPort::apply(const Request& request) {
   const double dt_s = std::chrono::duration<double>(std::min(now - applied_at_, kLongestStep)).count();
   applied_at_ = now;
   const Sensors seen = session_->sensors();
-  for (std::size_t i = 0; i < kJoints; ++i) commands_.joint[i] = motors_[i].command(seen.joint[i], dt_s);
+  const auto usual_gain = static_cast<double>(seen.safety.default_p_gain);
+  for (std::size_t i = 0; i < kJoints; ++i) commands_.joint[i] = motors_[i].command(seen.joint[i], usual_gain, dt_s);
   if (request.extended) {
     commands_.start_where_it_is |= request.extension.start_where_it_is;
     commands_.fault_resets = request.extension.fault_resets;

@@ -12,6 +12,7 @@ namespace darwinop::webots_api {
 namespace {
 
 using testing::HasSubstr;
+using testing::NanSensitiveDoubleEq;
 using testing::internal::CaptureStderr;
 using testing::internal::GetCapturedStderr;
 
@@ -59,6 +60,30 @@ TEST_F(MotorTest, AnInfinitePositionIsVelocityControl) {
   const JointCommand back = commanded(kElbow);
   EXPECT_EQ(back.goal.value, motor().getMinPosition());
   EXPECT_EQ(back.speed_limit.value, 1.5);
+}
+
+/// The goal stays so near to a slow joint that it turns at once, and so far ahead that it has its whole torque.
+TEST_F(MotorTest, AGoalAheadOfASlowJointIsAtTheErrorOfItsWholeTorque) {
+  fake.image.safety.default_p_gain = 4;
+  joint().position = Rad{0};
+  joint().velocity = RadPerSec{0};
+  robot().step(16);
+  motor().setPosition(INFINITY);
+  motor().setVelocity(0.5);
+  EXPECT_NEAR(commanded(kElbow).goal.value, 1023 * kRadPerTick / 4, 1e-9);
+  joint().velocity = RadPerSec{0.5};
+  robot().step(16);
+  EXPECT_NEAR(commanded(kElbow).goal.value, 1023 * kRadPerTick / 4 + 0.05, 1e-9);
+  motor().setVelocity(-0.5);
+  EXPECT_LT(commanded(kElbow).goal.value, 0) << "it turns at once";
+  motor().setControlPID(8, 0, 0);
+  motor().setPosition(-2);
+  EXPECT_NEAR(commanded(kElbow).goal.value, -1023 * kRadPerTick / 8 - 0.05, 1e-9) << "slow position control, too";
+  motor().setTorque(-0.25);
+  EXPECT_NEAR(commanded(kElbow).goal.value, 1023 * kRadPerTick / 80 + 0.05, 1e-9) << "a tenth of the torque";
+  joint().position = Rad{};
+  robot().step(16);
+  EXPECT_EQ(commanded(kElbow).goal.value, motor().getMaxPosition()) << "where the joint is unknown";
 }
 
 TEST_F(MotorTest, VelocityControlAtSpeedZeroHoldsTheJointWhereItIs) {
@@ -129,6 +154,36 @@ TEST_F(MotorTest, ATorqueThatIsNotANumberIsRefused) {
   motor().setTorque(NAN);
   EXPECT_THAT(GetCapturedStderr(), HasSubstr("setTorque(NaN) of ArmLowerR"));
   EXPECT_EQ(commanded(kElbow).set, 0);
+}
+
+TEST_F(MotorTest, WhatIsNotANumberLeavesEverySettingAsItWas) {
+  const auto stays = [this](const char* call, void (*set)(webots::Motor&)) {
+    const JointCommand before = commanded(kElbow);
+    CaptureStderr();
+    set(motor());
+    EXPECT_THAT(GetCapturedStderr(), HasSubstr(std::string{call} + "(NaN) of ArmLowerR")) << call;
+    const JointCommand after = commanded(kElbow);
+    EXPECT_EQ(after.set, before.set) << call;
+    EXPECT_THAT(after.goal.value, NanSensitiveDoubleEq(before.goal.value)) << call;
+    EXPECT_EQ(after.torque_on, before.torque_on) << call;
+    EXPECT_THAT(after.torque_limit.value, NanSensitiveDoubleEq(before.torque_limit.value)) << call;
+    EXPECT_THAT(after.speed_limit.value, NanSensitiveDoubleEq(before.speed_limit.value)) << call;
+    EXPECT_EQ(after.p_gain, before.p_gain) << call;
+  };
+  motor().setControlPID(8, 0, 0);
+  motor().setTorque(0.05);
+  stays("setControlPID", [](webots::Motor& one) { one.setControlPID(NAN, 0, 0); });
+  stays("setPosition", [](webots::Motor& one) { one.setPosition(NAN); });
+  motor().setPosition(INFINITY);
+  motor().setVelocity(0.5);
+  stays("setVelocity", [](webots::Motor& one) { one.setVelocity(NAN); });
+  motor().setPosition(0);
+  motor().setAvailableTorque(0);
+  stays("setAvailableTorque", [](webots::Motor& one) { one.setAvailableTorque(NAN); });
+  motor().setAvailableTorque(1);
+  motor().setAcceleration(1);
+  motor().setAcceleration(NAN);
+  EXPECT_EQ(motor().getAcceleration(), 1);
 }
 
 TEST_F(MotorTest, OnlyPOfThePidCounts) {

@@ -25,8 +25,8 @@ class PositionSensor;
 ///     motor->setAvailableTorque(0);    // limp
 ///
 /// A setter takes effect at the next Robot::step(). Angles in rad, positive as the servo counts up; speeds in rad/s;
-/// torques in N m. Numbers out of range are limited by the safety layer, which counts it; NaN is refused and counted,
-/// and the value before stays in force. The safety layer also limits how fast a goal may move.
+/// torques in N m. Numbers out of range are limited by the safety layer, which counts it; NaN is ignored with a
+/// warning, and the value before stays in force. The safety layer also limits how fast a goal may move.
 class Motor : public Device {
  public:
   /// Kind of motor; all are ROTATIONAL.
@@ -56,7 +56,7 @@ class Motor : public Device {
   /// Same as setAvailableTorque(); N m.
   virtual void setAvailableForce(double force);
   /// Pushes against an end of the range with this torque in N m, -2.5 to 2.5, **positive towards getMinPosition()**, as
-  /// in 2013. 0: limp until setPosition() or another torque. NaN is ignored with a warning. setPosition() ends it.
+  /// in 2013. 0: limp until setPosition() or another torque. setPosition() ends it.
   /// Simulator: positive towards greater angles. 2013: 0 was limp for one step only.
   virtual void setTorque(double torque);
   /// Same as setTorque(); N m.
