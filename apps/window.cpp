@@ -98,6 +98,7 @@ void showWindow(const WindowArguments& given, window::SimulatedRobot* own, windo
   web::WebServerConfig config;
   config.port = given.port;
   config.origin.own_origin = true;
+  config.origin.host_remedy = config.origin.origin_remedy = "open the page as 127.0.0.1 or localhost";
   config.max_channels = kPages * std::size(channels);
   web::WebServer server{config, logWindow};
   const std::string address = serveWindow(server, given, channels);

@@ -39,15 +39,14 @@ bool isOwnName(const OriginRules& rules, std::string_view host) {
 }  // namespace
 
 std::string refusal(const OriginRules& rules, const RequestOrigin& request_origin) {
-  if (!isOwnName(rules, request_origin.host))
-    return "unknown host name in the request; use the IP address, or allow the name with --host";
+  if (!isOwnName(rules, request_origin.host)) return "unknown host name in the request; " + rules.host_remedy;
   if (!request_origin.origin) return {};
   const std::string_view origin = *request_origin.origin;
   constexpr std::string_view kScheme = "http://";
   if (rules.own_origin && origin.starts_with(kScheme) && sameName(origin.substr(kScheme.size()), request_origin.host))
     return {};
   if (std::ranges::find(rules.origins, origin) != rules.origins.end()) return {};
-  return "pages of this origin are not allowed; allow it with --origin, exactly as the browser writes it";
+  return "pages of this origin are not allowed; " + rules.origin_remedy;
 }
 
 }  // namespace darwinop::web

@@ -18,6 +18,9 @@ struct OriginRules {
   std::vector<std::string> origins{};  // allowed, exactly as browsers write them: "http://127.0.0.1:8080"
   bool own_origin = false;             // allow pages of this server
   std::vector<std::string> hosts{};    // names of this computer besides localhost
+  // What a person can do about a refusal: parts of its sentence.
+  std::string host_remedy = "use the IP address, or allow the name with --host";
+  std::string origin_remedy = "allow it with --origin, exactly as the browser writes it";
 };
 
 /// Empty: accepted. Otherwise the reason, for the response.

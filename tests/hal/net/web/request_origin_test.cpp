@@ -41,5 +41,11 @@ TEST(WebRequestOrigin, AcceptsItsOwnOriginIfConfigured) {
   EXPECT_FALSE(isAccepted(rules, "evil.example:5025", "http://evil.example:5025")) << "DNS rebinding";
 }
 
+TEST(WebRequestOrigin, ARefusalEndsWithWhatThisServerOffers) {
+  const OriginRules rules{.own_origin = true, .host_remedy = "open it at home", .origin_remedy = "open it here"};
+  EXPECT_TRUE(refusal(rules, {.host = "mypc:9000", .origin = {}}).ends_with("; open it at home"));
+  EXPECT_TRUE(refusal(rules, {.host = "localhost", .origin = "null"}).ends_with("; open it here"));
+}
+
 }  // namespace
 }  // namespace darwinop::web
