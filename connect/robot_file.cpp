@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "connect/messages.hpp"
 #include "connect/robot_values.hpp"
 #include "core/text/ini_text.hpp"
+#include "core/text/key_lines.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
 #include "hal/text_file.hpp"
@@ -46,11 +46,11 @@ class Reader final : public text::IniReader {
     throw std::runtime_error("\"" + std::string{text} + "\" is no [section], no key = value and no comment");
   }
 
-  void pair(std::string_view section, std::string_view key, std::string_view value, int) override {
+  void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
     if (section.empty())
       throw std::runtime_error("key \"" + std::string{key} + "\" stands before the first section; " + kSections);
     const std::string room = lowered(section);
-    if (!seen_.insert(room + '/' + lowered(key)).second)
+    if (keys_.firstOf(section, key, line) > 0)
       throw std::runtime_error("[" + std::string{section} + "] " + std::string{key} + messages::kGivenTwice);
     if (safety::takeSafety(file_.safety, section, key, value)) return;
     if (room == "offsets") return takeOffset(key, value);
@@ -112,7 +112,7 @@ class Reader final : public text::IniReader {
   }
 
   RobotFile file_;
-  std::set<std::string> seen_;  // "section/key", in lower case
+  text::KeyLines keys_;
 };
 
 }  // namespace

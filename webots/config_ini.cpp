@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "core/camera_sizes.hpp"
+#include "core/conversions.hpp"
 #include "core/text/ini_text.hpp"
+#include "core/text/key_lines.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
 #include "hal/text_file.hpp"
 #include "safety/sections.hpp"
+#include "webots/messages.hpp"
 
 namespace darwinop::webots_api {
 
@@ -48,10 +52,12 @@ class Reader final : public text::IniReader {
   void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
     const std::string room = text::lowered(section);
     ControllerConfig& config = reading_.config;
+    if (room == "walking config") return;  // read by the gait
+    if (const int first = keys_.firstOf(section, key, line); first > 0)
+      return warn(line, "key \"" + std::string{key} + "\" is in line " + std::to_string(first) + ", which counts");
     if (safety::takeSafety(config.safety, section, key, value)) return;
     if (room == "camera") return takeCamera(config.camera, key, value, line);
-    // Parsed elsewhere, by the gait and the servo offsets.
-    if (room == "walking config" || room == "offset") return;
+    if (room == "offset") return reportOffset(key, value, line);
     if (room == "robot config") {
       const std::string name = text::lowered(key);
       if (name == "time_step") return keep(config.time_step_ms, has_time_step_, number(key, value, 10000));
@@ -110,6 +116,17 @@ class Reader final : public text::IniReader {
     camera.*control->field = static_cast<int>(*parsed);
   }
 
+  /// The robot of 2013 added these ticks to each goal.
+  void reportOffset(std::string_view key, std::string_view value, int line) {
+    const std::optional<double> ticks = text::numberFromText(value);
+    if (!ticks || *ticks == 0) return;
+    std::string entry = "an angle in rad";
+    for (const JointRow& joint : kJointTable)
+      if (text::lowered(key) == (joint.id < 10 ? "id_0" : "id_") + std::to_string(joint.id))
+        entry = std::string{joint.name} + " = " + text::shortestText(std::round(*ticks * kRadPerTick * 1e4) / 1e4);
+    warn(line, "[Offset] " + std::string{key} + " = " + std::string{value} + messages::kOffsetsAreTheRobots + entry);
+  }
+
   static void keep(int& field, bool& has, int value) {
     field = value;
     has = true;
@@ -134,6 +151,7 @@ class Reader final : public text::IniReader {
   void warn(int line, const std::string& what) { reading_.warnings.push_back(text::where(file_, line) + ": " + what); }
 
   const std::string& file_;
+  text::KeyLines keys_;  // the first counts, as in 2013
   ConfigReading reading_;
   bool has_time_step_ = false, has_width_ = false, has_height_ = false;
 };

@@ -35,4 +35,7 @@ inline constexpr const char* kEndsLimp =
 // Motion files, after "FILE:2".
 inline constexpr const char* kNoPose = ": it has no pose";
 
+/// After an entry of [Offset] in config.ini; then what replaces it.
+inline constexpr const char* kOffsetsAreTheRobots = " has no effect; put into [Offsets] of robot.ini: ";
+
 }  // namespace darwinop::webots_api::messages

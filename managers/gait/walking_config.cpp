@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/text/ini_text.hpp"
+#include "core/text/key_lines.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
 #include "hal/text_file.hpp"
@@ -40,6 +41,8 @@ class WalkingConfigReader final : public text::IniReader {
 
   void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
     if (!ours(section)) return;
+    if (const int first = keys_.firstOf(section, key, line); first > 0)
+      return warn(line, "key \"" + std::string{key} + "\" is in line " + std::to_string(first) + ", which counts");
     const std::string name = text::lowered(key);
     if (name == "ik") return takeIk(value);
     const auto* const row = std::ranges::find(kParameters, name, &ParameterRow::name);
@@ -64,6 +67,7 @@ class WalkingConfigReader final : public text::IniReader {
   void warn(int line, const std::string& what) { config_.warnings.push_back(text::where(file_, line) + ": " + what); }
 
   const std::string& file_;
+  text::KeyLines keys_;  // the first counts, as in 2013
   WalkingConfig config_;
 };
 

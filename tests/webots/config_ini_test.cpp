@@ -101,6 +101,21 @@ TEST(ConfigIni, TheCameraHasSettings) {
   EXPECT_THAT(reading.warnings, IsEmpty());
 }
 
+TEST(ConfigIni, AnOffsetOf2013IsReportedWithItsPlaceInRobotIni) {
+  EXPECT_THAT(parseConfig(kSound + "[Offset]\nID_11 = -12\nID_01 = 0\n", "config.ini").warnings,
+              ElementsAre(AllOf(HasSubstr("ID_11 = -12"), HasSubstr(messages::kOffsetsAreTheRobots),
+                                HasSubstr("LegUpperR = -0.0184"))));
+}
+
+TEST(ConfigIni, OfAKeyThatIsThereTwiceTheFirstCountsAsIn2013) {
+  const ConfigReading reading = parseConfig(
+      "[Robot Config]\ntime_step = 16\nTime_Step = 32\ncamera_width = 320\n"
+      "camera_height = 240\n",
+      "config.ini");
+  EXPECT_EQ(reading.config.time_step_ms, 16);
+  EXPECT_THAT(reading.warnings, ElementsAre(AllOf(HasSubstr("line 3"), HasSubstr("line 2"))));
+}
+
 TEST(ConfigIni, ACameraSettingThatIsNotThereKeepsItsDefault) {
   const ConfigReading reading = parseConfig(kSound + "[Camera]\nGain = -2\n", "config.ini");
   EXPECT_EQ(reading.config.camera.gain, 255);

@@ -28,6 +28,12 @@ std::string errorOf(const std::string& lines) {
   return "no error";
 }
 
+TEST(WalkingConfigFile, OfAKeyThatIsThereTwiceTheFirstCountsAsIn2013) {
+  const WalkingConfig got = read("period_time = 600\nPeriod_Time = 800\n");
+  EXPECT_EQ(got.parameters.period_time, 600);
+  EXPECT_THAT(got.warnings, ElementsAre(testing::AllOf(HasSubstr("line 3"), HasSubstr("line 2"))));
+}
+
 TEST(WalkingConfigFile, EveryKeySetsItsField) {
   for (const ParameterRow& row : kParameters) {
     for (double value : {row.low, row.high, (row.low + 3 * row.high) / 4}) {
