@@ -16,11 +16,12 @@ inline constexpr double kRadPerSecPerCount = kRpmPerCount * kPi / 30.0;  // 0.01
 inline constexpr int kSpeedMax = 1023;
 
 // Source: MX-28 data sheet at 12 V. Stall torque is a torque limit of 1023.
-inline constexpr double kNominalSupply = 12.0;  // V
-inline constexpr double kMaxTorqueNm = 2.5;     // N m, stall
-inline constexpr double kStallCurrent = 1.4;    // A
-inline constexpr double kNoLoadRpm = 55;        // rpm
-inline constexpr int kTorqueMax = 1023;         // counts
+inline constexpr double kNominalSupply = 12.0;                     // V
+inline constexpr double kMaxTorqueNm = 2.5;                        // N m, stall
+inline constexpr double kStallCurrent = 1.4;                       // A
+inline constexpr double kNoLoadRpm = 55;                           // rpm
+inline constexpr int kTorqueMax = 1023;                            // counts
+inline constexpr double kLeastTorque = kMaxTorqueNm / kTorqueMax;  // N m, one count: 0 would switch the servo off
 
 // Four speeds in rad/s, each with its own meaning:
 // - no-load speed at 12 V by the data sheet; under the robot's weight about half of it;

@@ -7,12 +7,6 @@
 #include "core/conversions.hpp"
 
 namespace darwinop::safety {
-namespace {
-
-constexpr double kLeastTorque = kMaxTorqueNm / kTorqueMax;
-
-}  // namespace
-
 RadPerSec limitSpeed(RadPerSec asked, RadPerSec keep, LimitHits& hits) noexcept {
   if (!std::isfinite(asked.value)) {
     hit(hits, Limit::kNotFinite);

@@ -9,6 +9,8 @@ namespace {
 // s. How old a reading is when the goal that follows from it reaches the servo, and then until the next one does: up to
 // six cycles of 16 ms, in a controller that computes for long.
 constexpr double kReadingAge = 0.1;
+// s. A torque of 0 that is shorter switches no torque off: off and on again takes seven cycles of 16 ms.
+constexpr double kPassingZero = 0.1;
 
 }  // namespace
 
@@ -30,11 +32,16 @@ void MotorControl::setAvailableTorque(double newton_meter) {
 
 void MotorControl::setTorque(double newton_meter) {
   torque_touched_ = true;
+  if (newton_meter != 0)
+    zero_for_s_ = 0;
+  else if (!torque_)
+    zero_for_s_ = kPassingZero;  // of a joint that held a position: limp at once
   torque_ = newton_meter;
 }
 
 JointCommand MotorControl::command(const JointSensors& seen, double usual_gain, double dt_s) {
   JointCommand out;
+  if (torque_ && *torque_ == 0) zero_for_s_ += dt_s;
   const std::optional<double> requested = goal(seen);
   const bool is_slow = velocity_ || torque_;  // the joint may stay behind its goal
   if (requested) out.setGoal(is_slow ? withinPull(*requested, seen, usual_gain) : Rad{*requested});
@@ -53,6 +60,7 @@ JointCommand MotorControl::command(const JointSensors& seen, double usual_gain, 
 
 std::optional<double> MotorControl::goal(const JointSensors& seen) {
   if (torque_) {
+    if (passesZero()) return seen.position.known() ? std::optional{seen.position.value} : std::nullopt;
     if (*torque_ == 0) return position_ && std::isfinite(*position_) ? position_ : std::nullopt;
     return *torque_ > 0 ? low() : high();  // as in 2013: positive torque turns clockwise
   }
@@ -74,13 +82,17 @@ Rad MotorControl::withinPull(double goal, const JointSensors& seen, double usual
   return Rad{lead > 0 && here == here ? std::clamp(goal, here - lead, here + lead) : goal};
 }
 
+bool MotorControl::passesZero() const {
+  return torque_ && *torque_ == 0 && zero_for_s_ <= kPassingZero && availableTorque() > 0;
+}
+
 double MotorControl::torqueLimit() const {
   return torque_ ? std::min(availableTorque(), std::abs(*torque_)) : availableTorque();
 }
 
 void MotorControl::addTorque(JointCommand& command) const {
   if (!torque_touched_) return;
-  const double limit = torqueLimit();
+  const double limit = passesZero() ? kLeastTorque : torqueLimit();
   command.setTorque(limit != 0);
   if (limit != 0) command.setTorqueLimit(NewtonMeter{limit});
 }

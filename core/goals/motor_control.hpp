@@ -43,11 +43,13 @@ class MotorControl {
   [[nodiscard]] std::optional<double> goal(const JointSensors& seen);
   [[nodiscard]] Rad withinPull(double goal, const JointSensors& seen, double usual_gain) const;
   [[nodiscard]] double torqueLimit() const;
+  [[nodiscard]] bool passesZero() const;
   void addTorque(JointCommand& command) const;
 
   const JointRow* row_;
   std::optional<double> position_, velocity_, available_torque_, p_gain_;
   std::optional<double> torque_;  // set: pushes towards an end of the range
+  double zero_for_s_ = 0;         // torque control with a torque of 0
   std::optional<double> held_;    // velocity control at speed 0
   bool torque_touched_ = false;   // from then on every command sets torque on or off
   double acceleration_ = -1;

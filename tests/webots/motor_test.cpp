@@ -138,9 +138,27 @@ TEST_F(MotorTest, SetTorqueIsBoundedByTheAvailableTorque) {
   EXPECT_EQ(commanded(kElbow).torque_limit.value, 1);
 }
 
+/// A torque loop over positions in ticks gives 0 now and then; off and on again would take seven cycles.
+TEST_F(MotorTest, ATorqueThatPassesZeroSwitchesNothingOff) {
+  motor().setTorque(0.3);
+  commanded(kElbow);
+  motor().setTorque(0);
+  const JointCommand zero = commanded(kElbow);
+  EXPECT_TRUE(zero.torque_on);
+  EXPECT_LT(zero.torque_limit.value, 0.003);
+  EXPECT_EQ(zero.goal.value, joint().position.value);
+  motor().setTorque(-0.3);
+  EXPECT_EQ(commanded(kElbow).torque_limit.value, 0.3);
+  for (int step = 0; step < 7; ++step) {
+    motor().setTorque(0);
+    commanded(kElbow);
+  }
+  EXPECT_FALSE(commanded(kElbow).torque_on) << "now it is limp";
+}
+
 TEST_F(MotorTest, SetTorqueZeroStaysLimpUntilAPositionIsSet) {
   motor().setTorque(0);
-  commanded(kElbow);
+  EXPECT_FALSE(commanded(kElbow).torque_on) << "from a position: limp at once";
   EXPECT_FALSE(commanded(kElbow).torque_on);
   motor().setPosition(0.1);
   const JointCommand command = commanded(kElbow);

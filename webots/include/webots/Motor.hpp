@@ -56,8 +56,8 @@ class Motor : public Device {
   /// Same as setAvailableTorque(); N m.
   virtual void setAvailableForce(double force);
   /// Pushes against an end of the range with this torque in N m, -2.5 to 2.5, **positive towards getMinPosition()**, as
-  /// in 2013. 0: limp until setPosition() or another torque. setPosition() ends it.
-  /// Simulator: positive towards greater angles. 2013: 0 was limp for one step only.
+  /// in 2013. 0: limp until setPosition() or another torque; less than 0.1 s of it only stops pushing. setPosition()
+  /// ends it. Simulator: positive towards greater angles. 2013: 0 was limp for one step only.
   virtual void setTorque(double torque);
   /// Same as setTorque(); N m.
   virtual void setForce(double force);
