@@ -1,6 +1,9 @@
 #include "gap/fit/servo_range.hpp"
 
+#include <algorithm>
 #include <string_view>
+
+#include "twin/model/keys.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -28,8 +31,12 @@ std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, const twin::ServoP
   std::vector<Unknown> unknowns = unknownsOf(info, refined, place);
   for (Unknown& unknown : unknowns) {
     const auto& parameter = std::get<EffectParameter>(unknown.what);
-    const double factor = inProportion(servo, info.part, info.parameters[parameter.index].unit);
-    unknown.low *= factor, unknown.high *= factor, unknown.expected *= factor;
+    const twin::Parameter& row = info.parameters[parameter.index];
+    const double factor = inProportion(servo, info.part, row.unit);
+    const twin::NumberRule allowed = twin::ruleOf(row);  // in a model file
+    unknown.low = std::max(factor * unknown.low, allowed.low);
+    unknown.high = std::min(factor * unknown.high, allowed.high);
+    unknown.expected = std::clamp(factor * unknown.expected, unknown.low, unknown.high);
   }
   return unknowns;
 }

@@ -55,7 +55,7 @@ constexpr KeyRow kTable[] = {
      {},
      "duty per P register unit and rad of error"},
     {"servo", "duty_max", ofServo<&S::duty_max>, {"", 0.01, 1}, {}, "greatest duty"},
-    {"servo", "armature", ofServo<&S::armature_kgm2>, {"kg m2", 0, 0.1}, {}, "inertia of rotor and gears at the horn"},
+    {"servo", "armature", ofServo<&S::armature_kgm2>, {"kg m2", 0, 1}, {}, "inertia of rotor and gears at the horn"},
     {"servo",
      "speed_gain_per_kp",
      ofServo<&S::speed_gain_per_kp_1_s>,
@@ -220,10 +220,10 @@ std::vector<std::string_view> keysOf(std::string_view section) {
 }
 
 NumberRule ruleOf(const Parameter& parameter) {
-  // Ranges of torques are those of an MX-28; other servos have up to ten times as much, or as little.
-  constexpr double kOtherServos = 10;
-  const bool of_torque = parameter.unit == "N m" || parameter.unit == "N m s/rad" || parameter.unit == "1/(N m)";
-  return {parameter.unit, parameter.low, (of_torque ? kOtherServos : 1) * parameter.high};
+  // Ranges of torques and inertias are those of an MX-28; other servos have up to ten times as much, or as little.
+  constexpr std::string_view kOfTheServosSize[] = {"N m", "N m s/rad", "1/(N m)", "kg m2"};
+  const double factor = std::ranges::find(kOfTheServosSize, parameter.unit) != std::end(kOfTheServosSize) ? 10 : 1;
+  return {parameter.unit, parameter.low * (parameter.low < 0 ? factor : 1 / factor), factor * parameter.high};
 }
 
 }  // namespace darwinop::twin

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "twin/effects/catalogue.hpp"
+#include "twin/model/keys.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -30,6 +31,23 @@ TEST(SearchRange, OfAnArmatureGrowsWithIt) {
   EXPECT_DOUBLE_EQ(wide.high, 10 * usual.high);
   large.armature_kgm2 = 0;
   EXPECT_DOUBLE_EQ(unknownsOf(*twin::findEffect("inertia"), large).front().high, usual.high);
+}
+
+/// A fitted number that a model file refuses would end a run without an answer.
+TEST(SearchRange, IsWithinWhatAModelFileMayHold) {
+  for (const double size : {0.1, 1.0, 6.0, 20.0}) {
+    twin::ServoParameters servo;
+    servo.kt_nm_a *= size, servo.armature_kgm2 *= size;
+    for (const twin::EffectInfo* const info : twin::catalogue())
+      for (const Unknown& unknown : unknownsOf(*info, servo)) {
+        const auto& parameter = std::get<EffectParameter>(unknown.what);
+        const twin::NumberRule allowed = twin::ruleOf(info->parameters[parameter.index]);
+        EXPECT_GE(unknown.low, allowed.low) << info->id << " " << size;
+        EXPECT_LE(unknown.high, allowed.high) << info->id << " " << size;
+        EXPECT_LE(unknown.low, unknown.expected) << info->id << " " << size;
+        EXPECT_LE(unknown.expected, unknown.high) << info->id << " " << size;
+      }
+  }
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[servo]\nkt = 1786 N m/A\n",
               std::string{"4: [servo] kt = 1786 N m/A: "} + messages::kOutOfRange + "0.01 to 10 N m/A"},
         Wrong{"[servo]\narmature = -0.001 kg m2\n",
-              std::string{"4: [servo] armature = -0.001 kg m2: "} + messages::kOutOfRange + "0 to 0.1 kg m2"}));
+              std::string{"4: [servo] armature = -0.001 kg m2: "} + messages::kOutOfRange + "0 to 1 kg m2"}));
 
 INSTANTIATE_TEST_SUITE_P(
     WordsTextsAndAxes, WrongModelFile,
