@@ -99,7 +99,7 @@ void RobotImpl::addLentGain(std::size_t joint) {
     command.setPGain(*lent_gain_[joint]);
   } else if (was_lent_[joint] && !command.has(JointCommand::kPGain)) {
     const double usual = static_cast<double>(session_.sensors().safety.default_p_gain);
-    command.setPGain(std::isnan(usual) ? config_.safety.default_p_gain : usual);  // NaN: over TCP
+    command.setPGain(std::isnan(usual) ? config_.safety.default_p_gain : usual);  // NaN: no cycle yet
   }
 }
 
@@ -111,7 +111,7 @@ void RobotImpl::addLentSpeed(std::size_t joint) {
     command.setSpeedLimit(RadPerSec{kMaxVelocity});
   } else if (had_full_speed_[joint] && !command.has(JointCommand::kSpeedLimit)) {
     const double usual = static_cast<double>(session_.sensors().safety.default_speed);
-    command.setSpeedLimit(RadPerSec{std::isnan(usual) ? config_.safety.default_speed : usual});  // NaN: over TCP
+    command.setSpeedLimit(RadPerSec{std::isnan(usual) ? config_.safety.default_speed : usual});  // NaN: no cycle yet
   }
 }
 

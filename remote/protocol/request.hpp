@@ -61,7 +61,7 @@ struct Extension {
   constexpr bool operator==(const Extension&) const = default;
 };
 
-inline constexpr std::uint8_t kExtensionTag = 'X', kExtensionVersion = 1;
+inline constexpr std::uint8_t kExtensionTag = 'X', kExtensionVersion = 2;
 
 struct Request {
   bool accelerometer = false, gyro = false, camera = false;

@@ -21,7 +21,10 @@ class BlockWriter {
     for (int shift = 8 * (static_cast<int>(sizeof(T)) - 1); shift >= 0; shift -= 8)
       bytes_.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> shift));
   }
-  void real(const double& value) { integer(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
+  template <std::floating_point T>
+  void real(const T& value) {
+    integer(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+  }
   void age(const Freshness& freshness) {
     integer(freshness.ever() ? static_cast<std::uint8_t>(std::min(freshness.age, kAgeMost)) : kAgeNever);
   }
@@ -61,7 +64,10 @@ class BlockReader {
     for (std::size_t i = 0; i < sizeof(T); ++i) all = all << 8 | bytes_[at_++];
     value = static_cast<T>(all);
   }
-  void real(double& value) { value = static_cast<double>(std::bit_cast<float>(taken<std::uint32_t>())); }
+  template <std::floating_point T>
+  void real(T& value) {
+    value = static_cast<T>(std::bit_cast<float>(taken<std::uint32_t>()));
+  }
   void age(Freshness& freshness) {
     const auto age = taken<std::uint8_t>();
     freshness.age = age == kAgeNever ? Freshness::kNever : age;
@@ -153,6 +159,8 @@ void safetyReport(Block& block, Report& seen) {
   block.set(seen.tripped);
   block.set(seen.missed_start);
   block.integer(seen.start_timeouts);
+  for (auto* setting : {&seen.gentle_speed, &seen.default_p_gain, &seen.default_speed}) block.real(*setting);
+  block.choice(seen.at_end, Reaction::kStopSending);
 }
 
 template <class Block, class Image>

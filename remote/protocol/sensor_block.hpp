@@ -9,7 +9,7 @@
 
 namespace darwinop::remote {
 
-inline constexpr std::size_t kSensorBlock = 838;  // bytes
+inline constexpr std::size_t kSensorBlock = 851;  // bytes
 
 /// Appends kSensorBlock bytes. Values are binary32: the rounding error of an angle is below 3e-7 rad.
 void writeSensors(const Sensors& seen, std::vector<std::uint8_t>& bytes);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 #include "any_image.hpp"
 #include "remote/protocol/sensor_block.hpp"
 
@@ -109,6 +111,9 @@ TEST(SensorBlock, KeepsWhatAControllerReads) {
   seen.board.voltage = Volt{11.8};
   seen.safety.active.set(2);
   seen.safety.worst = Fault::kServoSilent;
+  seen.safety.default_p_gain = 3;
+  seen.safety.default_speed = 1;
+  seen.safety.at_end = Reaction::kHold;
   const Sensors back = readSensors(blockOf(seen));
   EXPECT_EQ(back.joint[18].motion.age, 3);
   EXPECT_NEAR(back.joint[18].position.value, 0.49854, 3e-7);
@@ -120,6 +125,10 @@ TEST(SensorBlock, KeepsWhatAControllerReads) {
   EXPECT_NEAR(back.board.voltage.value, 11.8, 1e-6);
   EXPECT_EQ(back.safety.active, seen.safety.active);
   EXPECT_EQ(back.safety.worst, Fault::kServoSilent);
+  EXPECT_EQ(back.safety.default_p_gain, 3) << "what ends a page or a walk restores";
+  EXPECT_EQ(back.safety.default_speed, 1);
+  EXPECT_TRUE(std::isnan(back.safety.gentle_speed));
+  EXPECT_EQ(back.safety.at_end, Reaction::kHold);
 }
 
 TEST(ReplyReader, RejectsRepliesThatAreTooLongOrDoNotMatchTheRequest) {

@@ -56,11 +56,11 @@ TEST(RemoteExtension, IsSerializedAsDocumented) {
                                            .only_if_up = true,
                                            .end_of_session = true,
                                            .unattended = true});
-  EXPECT_EQ(toHex(bytesToSend(request)), "57 18 00 58 01 11 0e 00 00 00 02 00 00 00 07 00 00 00 01 02 03 04 05 00");
+  EXPECT_EQ(toHex(bytesToSend(request)), "57 18 00 58 02 11 0e 00 00 00 02 00 00 00 07 00 00 00 01 02 03 04 05 00");
 }
 
 TEST(RemoteExtension, OfAnotherVersionIsSkipped) {
-  for (const char* hex : {"57 08 00 58 02 01 ff 00", "57 07 00 58 01 00 00", "57 08 00 58 01 01 ff 00"}) {
+  for (const char* hex : {"57 08 00 58 01 01 ff 00", "57 07 00 58 02 00 00", "57 08 00 58 02 01 ff 00"}) {
     const ByteList bytes = fromHex(hex);
     Request request;
     RequestIssues issues;
