@@ -16,8 +16,7 @@ constexpr std::size_t kLongestBamLog = std::size_t{1} << 28;  // bytes
 
 }  // namespace
 
-FolderCase readBamFolder(const std::string& folder, const std::string& model,
-                         const std::vector<std::string>& held_out) {
+FolderCase readBamFolder(const std::string& folder, const std::string& model) {
   FolderCase out;
   Case& c = out.given;
   try {
@@ -44,7 +43,7 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model,
       out.unusable.emplace_back(error.what());
     }
   }
-  if (logs.empty()) throw BadInput(out.unusable.front());
+  if (logs.empty()) refuseUnusable(out);
   if (motors.size() > 1) throw BadInput(folder + ": " + messages::kSeveralMotors);
   convertLoads(logs);
   for (BamLog& log : logs) {
@@ -54,7 +53,6 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model,
   c.pendulum.length_m = *c.logs.front().length_m;
   c.pendulum.arm_mass_kg = *c.logs.front().arm_mass_kg;
   if (c.logs.front().supply_v) c.model.servo.supply_v = *c.logs.front().supply_v;
-  holdOut(held_out, out);
   out.motor = *motors.begin();
   return out;
 }

@@ -29,7 +29,7 @@ void convertLoads(std::vector<BamLog>& logs);
 /// The same format; a value that is not known is left out.
 std::string asBamJson(const Case& c, const Trajectory& log, std::string_view motor);
 
-/// All *.json of a folder, by name, as a case whose servo is that of a model file, or of a shipped model's name. Held
-/// out: holdOut(). Throws BadInput.
-FolderCase readBamFolder(const std::string& folder, const std::string& model, const std::vector<std::string>& held_out);
+/// All *.json of a folder, by name, as a case whose servo is that of a model file, or of a shipped model's name. Throws
+/// BadInput.
+FolderCase readBamFolder(const std::string& folder, const std::string& model);
 }  // namespace darwinop::gap

@@ -62,6 +62,7 @@ CaseFiles filesOfServo(const RawFolder& request, const Declarations& declared, s
 
 FolderCase readCsvFolder(const RawFolder& request, const Declarations& declared, const twin::Model& model) {
   FolderCase out;
+  out.given.folder = request.folder;
   const CaseFiles files = filesOfServo(request, declared, out.notes);
   Json logs = Json::array();
   std::string missing;  // of the first log that lacks something
@@ -75,23 +76,17 @@ FolderCase readCsvFolder(const RawFolder& request, const Declarations& declared,
       out.unusable.emplace_back(reason.what());
     }
   }
-  if (logs.empty()) throw BadInput(out.unusable.front());
+  if (logs.empty()) refuseUnusable(out);
   if (request.model.empty()) missing += declared.missingOfServo();
   if (!missing.empty()) throw BadInput(request.folder + messages::kNotDeclared + missing);
 
   Case& head = out.given;
   head.name = nameOfFolder(request.folder);
-  head.folder = request.folder;
   head.model = model;
   head.priors = benchPriors();
   head.pendulum = {.payload_kg = 0, .arm_mass_kg = logs[0]["arm_mass_kg"], .length_m = logs[0]["length_m"]};
-  for (const Json& entry : logs) {
-    head.logs.emplace_back().file = entry["file"];
-    head.logs.back().p_register = entry["kp"];
-  }
-  holdOut(request.held_out, out);
   Json whole = parseJson(caseAsJson(head, !fitsBaseline(head)), "declared");
-  for (std::size_t i = 0; i < logs.size(); ++i) logs[i]["role"] = head.logs[i].held_out ? "held_out" : "fit";
+  for (Json& entry : logs) entry["role"] = "fit";  // until holdOut()
   whole["logs"] = logs;
   readDeclared(whole.dump(), declared, files, out);
   if (!declared.text("goal_order"))

@@ -1,33 +1,64 @@
 // The same note about many logs as one.
 #include <algorithm>
+#include <cctype>
 
+#include "gap/case/messages.hpp"
 #include "gap/case/raw_folder.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-/// What a note says of its log: all behind "a.json: ". The whole note if it begins with no log.
+/// What a note says of its log: all behind "a.json: " or "a.csv, line 3: ". The whole note if it begins with no log.
 std::string_view saidIn(std::string_view note) {
-  const std::size_t end = note.find(": ");
-  const std::string_view file = note.substr(0, end);
-  const bool of_log = end != note.npos && (file.ends_with(".json") || file.ends_with(".csv"));
-  return of_log ? note.substr(end + 2) : note;
+  std::string_view of = note;
+  if (of.starts_with(messages::kLeftOut)) of.remove_prefix(std::string_view{messages::kLeftOut}.size());
+  const std::size_t end = of.find(": ");
+  std::string_view file = of.substr(0, end);
+  for (const std::string_view place : {", line ", ", entries["}) file = file.substr(0, file.rfind(place));
+  const bool of_log = end != of.npos && (file.ends_with(".json") || file.ends_with(".csv"));
+  return of_log ? of.substr(end + 2) : note;
 }
+
+/// What several notes have in common, whose measured numbers differ. Numbers of a note about no log stay.
+std::string patternOf(const std::string& note) {
+  const std::string_view said = saidIn(note);
+  if (said.size() == note.size()) return note;
+  std::string pattern = note.starts_with(messages::kLeftOut) ? messages::kLeftOut : "";
+  for (std::size_t i = 0; i < said.size();) {
+    const bool is_number = std::isdigit(static_cast<unsigned char>(said[i])) != 0;
+    pattern += is_number ? '#' : said[i];
+    i = is_number ? std::min(said.find_first_not_of("0123456789.", i), said.size()) : i + 1;
+  }
+  return pattern;
+}
+
+struct NoteGroup {
+  std::string first, pattern;
+  std::size_t more = 0;
+  bool differs = false;  // in numbers
+};
 
 }  // namespace
 
 std::vector<std::string> grouped(const std::vector<std::string>& notes) {
-  std::vector<std::string> out;
-  std::vector<std::size_t> more;
+  std::vector<NoteGroup> groups;
   for (const std::string& note : notes) {
-    const auto same = std::ranges::find(out, saidIn(note), saidIn);
-    if (same == out.end())
-      out.push_back(note), more.push_back(0);
-    else
-      ++more[static_cast<std::size_t>(same - out.begin())];
+    std::string pattern = patternOf(note);
+    const auto same = std::ranges::find(groups, pattern, &NoteGroup::pattern);
+    if (same == groups.end()) {
+      groups.push_back({.first = note, .pattern = std::move(pattern)});
+    } else {
+      ++same->more;
+      same->differs = same->differs || saidIn(note) != saidIn(same->first);
+    }
   }
-  for (std::size_t i = 0; i < out.size(); ++i)
-    if (more[i] > 0) out[i] += " (and " + std::to_string(more[i]) + " more logs)";
+  std::vector<std::string> out;
+  for (NoteGroup& group : groups) {
+    if (group.more > 0)
+      group.first +=
+          " (and " + std::to_string(group.more) + " more logs" + (group.differs ? ", each with its own numbers)" : ")");
+    out.push_back(std::move(group.first));
+  }
   return out;
 }
 

@@ -8,9 +8,6 @@
 namespace darwinop::gap {
 namespace {
 
-/// A motor that is roughly known needs three to name an effect (CrossValidation::improves).
-constexpr std::size_t kFewestFitted = 3;
-
 std::string stemOf(const std::string& file) {
   return std::filesystem::path{file}.stem().string();
 }
@@ -38,6 +35,7 @@ void holdOut(const std::vector<std::string>& names, FolderCase& in) {
     logs[i].held_out = !names.empty() ? named : by_gain ? logs[i].p_register == greatest : i + quarter >= logs.size();
   }
   const auto held = std::ranges::count_if(logs, &Trajectory::held_out);
+  if (static_cast<std::size_t>(held) == logs.size()) throw BadInput(in.given.folder + messages::kKeepsAll);
   if (names.empty())
     in.notes.push_back(std::to_string(held) + " of " + std::to_string(logs.size()) + " logs are held out: " +
                        (by_gain ? "those of the greatest kp" : "the last quarter") + "; choose others with --keep");

@@ -30,14 +30,15 @@ inline constexpr const char* kWholeRobot =
     "is body: a case of the whole robot, which `check`, `locate` and `run` take; docs/gap/body.md";
 inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
 
-inline constexpr const char* kUnusableLogs = " cannot be used, the first because of ";
+inline constexpr const char* kUnusableLogs = " cannot be used:";
 inline constexpr const char* kLeftOut = "a log is left out: ";
 
 // BAM
 inline constexpr const char* kNoBamLogs = "has no *.json; give the folder with the logs of BAM";
 inline constexpr const char* kNoTorqueEnable = " rows have no torque_enable and count as torque on";
 inline constexpr const char* kNotBamRow = "has a row without timestamp or goal_position; is this a raw log of BAM?";
-inline constexpr const char* kNotLogOfFolder = " is none of the logs of ";
+inline constexpr const char* kKeepsAll = ": --keep holds all logs out; leave some to be fitted";
+inline constexpr const char* kNotLogOfFolder = " is none of the usable logs of ";
 inline constexpr const char* kSeveralMotors = "logs of several motors; put each into a folder of its own";
 
 // folders of raw logs

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kShortest = 2;         // s
 constexpr double kLongestPeriod = 0.1;  // s
-constexpr double kLongestHole = 20;     // periods
+// A pause of the host: the last goal stands, in the servo as in the simulation. Longer ones are two logs in one file.
+constexpr double kLongestHole = 20;    // periods
+constexpr double kLongestPause = 0.5;  // s, where that is more
 
 std::string number(double value) {
   char text[32];
@@ -49,7 +51,7 @@ void checkTime(const Trajectory& log, const std::string& file) {
   for (std::size_t i = 1; i < log.rows(); ++i) {
     const double step = log.time_s[i] - log.time_s[i - 1];
     if (step <= 0) throw BadInput(at(file, log, i) + logs::kTimeGoesBack + "; if the file contains two logs, split it");
-    if (step > kLongestHole * period)
+    if (step > std::max(kLongestHole * period, kLongestPause))
       throw BadInput(at(file, log, i) + "the log has a hole of " + number(step) + " s before this row; split it there");
   }
 }

@@ -2,10 +2,8 @@
 #include "gap/case/raw_folder.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/logs/read_log.hpp"
-#include "gap/case/bad_rows.hpp"
 #include "gap/case/bam_log.hpp"
 #include "gap/case/declared_case.hpp"
 #include "gap/case/folder_files.hpp"
@@ -16,8 +14,6 @@ namespace darwinop::gap {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kMostUnusable = kMostMasked;  // of the files, as of the rows of a log
 
 constexpr const char* kOwnServo = "darwin-op";  // model whose servo is the MX-28
 
@@ -37,7 +33,7 @@ FolderCase fromBam(const RawFolder& request, const Declarations& declared) {
   if (!declared.encodings().empty())
     throw BadInput("--declare " + declared.encodings().begin()->first + " " + messages::kOfCsv);
   const std::string model = request.model.empty() ? kOwnServo : request.model;
-  FolderCase out = readBamFolder(request.folder, model, request.held_out);
+  FolderCase out = readBamFolder(request.folder, model);
   if (const std::optional<double> supply_v = declared.number("supply_V")) {
     if (std::ranges::all_of(out.given.logs, [](const Trajectory& log) { return log.supply_v.has_value(); }))
       throw BadInput(std::string{"--declare supply_V "} + messages::kOfCsv);
@@ -80,17 +76,6 @@ FolderCase fromCsv(const RawFolder& request, const Declarations& declared) {
   return out;
 }
 
-/// Throws BadInput if more than a few of the files cannot be used; else notes each.
-void noteUnusable(FolderCase& in) {
-  const double files = double(in.given.logs.size()) + double(in.unusable.size());
-  if (double(in.unusable.size()) > kMostUnusable * files || in.given.logs.empty())
-    throw BadInput(in.unusable.size() == 1
-                       ? in.unusable.front()
-                       : std::to_string(in.unusable.size()) + " of " + std::to_string(std::lround(files)) +
-                             " logs of " + in.given.folder + messages::kUnusableLogs + in.unusable.front());
-  for (const std::string& reason : in.unusable) in.notes.push_back(messages::kLeftOut + reason);
-}
-
 }  // namespace
 
 std::vector<fs::path> filesEndingWith(const std::string& folder, const char* end) {
@@ -118,6 +103,7 @@ FolderCase readRawFolder(const RawFolder& request) {
   const bool is_bam = !filesEndingWith(request.folder, ".json").empty();
   FolderCase out = is_bam ? fromBam(request, declared) : fromCsv(request, declared);
   noteUnusable(out);
+  holdOut(request.held_out, out);
   if (!request.all_logs) chooseLogs(out);
   return out;
 }

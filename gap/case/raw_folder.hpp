@@ -28,16 +28,26 @@ struct FolderCase {
 /// True: no case.json, but at least one *.json or *.csv.
 bool isRawFolder(const std::string& folder);
 
-/// Throws BadInput that lists all that is missing. Logs that cannot be used are left out and noted, if they are at most
-/// a tenth; of a large folder some are chosen.
+/// Throws BadInput that lists all that is missing. Logs that cannot be used are left out and noted, see noteUnusable();
+/// of a large folder some are chosen.
 FolderCase readRawFolder(const RawFolder& request);
 /// CSVs of a servo of `model`. A column `kp`, `payload_kg`, `arm_mass_kg`, `length_m` or `supply_V` with one value
 /// counts before a declaration.
 FolderCase readCsvFolder(const RawFolder& request, const Declarations& declared, const twin::Model& model);
 
+/// Logs that are fitted at least, where there are as many: a motor that is roughly known needs three to name an effect
+/// (CrossValidation::improves).
+inline constexpr std::size_t kFewestFitted = 3;
+
+/// Notes each log that is left out. Throws BadInput, with the reasons, if that is more than half of the files, or if
+/// fewer than kFewestFitted remain of a folder that loses more than a tenth.
+void noteUnusable(FolderCase& in);
+/// No log is left.
+[[noreturn]] void refuseUnusable(const FolderCase& in);
+
 /// Marks logs as held out: those with these names; without any, those of the greatest P gain if they are at most half,
-/// else the last quarter, rounded up; so that three remain where there are three. Throws BadInput for a name without a
-/// log.
+/// else the last quarter, rounded up; so that kFewestFitted remain where there are as many. Throws BadInput for a name
+/// without a log, and if none is left to fit.
 void holdOut(const std::vector<std::string>& names, FolderCase& in);
 
 /// Most logs that are searched, of each role. Of an XL330, 8 and 4 took 145 core-seconds, 16 and 8 took 298; the goal

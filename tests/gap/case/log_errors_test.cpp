@@ -73,13 +73,16 @@ TEST(LogErrors, TimeThatDoesNotGoOn) {
 }
 
 TEST(LogErrors, HolesInTime) {
-  const auto with_hole = [](double periods) {
+  const auto with_hole = [](double periods, double period_s) {
     std::vector<CsvRow> rows = sineRows(0.02);
-    for (std::size_t i = 100; i < rows.size(); ++i) rows[i].t += 0.016 * (periods - 1);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i].t = period_s * (static_cast<double>(i) + (i < 100 ? 0 : periods - 1));
     return CaseTexts{}.with(rows).error();
   };
-  EXPECT_EQ(with_hole(19.9), "");
-  EXPECT_THAT(with_hole(20.1), inLine102("the log has a hole of 0.3216 s before this row"));
+  EXPECT_EQ(with_hole(19.9, 0.032), "");
+  EXPECT_THAT(with_hole(20.1, 0.032), inLine102("the log has a hole of 0.6432 s before this row"));
+  EXPECT_EQ(with_hole(49, 0.01), "") << "a pause of the host";
+  EXPECT_THAT(with_hole(51, 0.01), inLine102("the log has a hole of 0.51 s before this row"));
 }
 
 TEST(LogErrors, TooShortAndTooSlow) {

@@ -1,6 +1,7 @@
 // Folders of many raw logs: which are searched, and what happens to those that cannot be used.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -96,8 +97,47 @@ TEST_F(RawFolderTest, FalseReadingsStayUntilTheWrittenCaseIsRead) {
   EXPECT_EQ(back.masked[0].why, messages::kMaskedJump);
 }
 
-TEST_F(RawFolderTest, IsRefusedIfMoreThanATenthCannotBeUsed) {
-  for (int i = 0; i < 8; ++i) addLog("a" + std::to_string(100 + i), 8, "0.5");
+/// With a pause of the host after half of a second.
+std::string withPause(std::string text, double pause_s) {
+  for (int i = 199; i >= 40; --i) {
+    const auto timestamp = [&](double s) { return "{\"timestamp\": " + std::to_string(s) + ","; };
+    text = replaced(text, timestamp(0.0125 * i), timestamp(0.0125 * i + pause_s));
+  }
+  return text;
+}
+
+TEST_F(RawFolderTest, AShortPauseOfTheHostIsPartOfALog) {
+  const std::string plain = bamText(zero, zero, "\"kp\": 8, \"motor\": \"mx28\"");
+  for (int i = 0; i < 8; ++i) write(folder / ("a" + std::to_string(i) + ".json"), plain);
+  write(folder / "paused.json", withPause(plain, 0.4));
+  EXPECT_EQ(read().given.logs.size(), 9u);
+  write(folder / "paused.json", withPause(plain, 0.6));
+  EXPECT_EQ(read().given.logs.size(), 8u);
+}
+
+TEST_F(RawFolderTest, IsUsedIfHalfOfItCanBe) {
+  for (int i = 0; i < 4; ++i) addLog("a" + std::to_string(i), 8, "0.5");
+  for (int i = 0; i < 4; ++i)
+    write(folder / ("paused" + std::to_string(i) + ".json"),
+          withPause(bamText(zero, zero, "\"kp\": 8, \"motor\": \"mx28\""), 0.6 + i));
+  const FolderCase usable = read();
+  EXPECT_EQ(usable.given.logs.size(), 4u);
+  EXPECT_EQ(std::ranges::count_if(usable.given.logs, &Trajectory::held_out), 1);
+  EXPECT_THAT(grouped(usable.notes), Contains(testing::AllOf(HasSubstr(messages::kLeftOut), HasSubstr("3 more logs"))));
+  write(folder / "broken.json", "{");
+  try {
+    (void)read();
+    ADD_FAILURE() << "5 of 9 are unusable";
+  } catch (const BadInput& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("5 of 9"));
+    EXPECT_THAT(refused.what(), HasSubstr(messages::kUnusableLogs));
+    EXPECT_THAT(refused.what(), HasSubstr("broken.json"));
+    EXPECT_THAT(refused.what(), HasSubstr("paused0"));
+  }
+}
+
+TEST_F(RawFolderTest, OfAFewLogsNoneMayBeUnusable) {
+  for (const char* const name : {"a", "b"}) addLog(name, 8, "0.5");
   write(folder / "broken.json", "{");
   try {
     (void)read();
@@ -105,19 +145,24 @@ TEST_F(RawFolderTest, IsRefusedIfMoreThanATenthCannotBeUsed) {
   } catch (const BadInput& refused) {
     EXPECT_THAT(refused.what(), HasSubstr("broken.json"));
   }
-  write(folder / "empty.json", "");
-  try {
-    (void)read();
-    ADD_FAILURE();
-  } catch (const BadInput& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("2 of 10"));
-    EXPECT_THAT(refused.what(), HasSubstr(messages::kUnusableLogs));
-  }
+  addLog("c", 8, "0.5");
+  EXPECT_EQ(read().given.logs.size(), 3u);
 }
 
 TEST(Grouped, SaysTheSameOfSeveralLogsOnce) {
   EXPECT_THAT(grouped({"a.json: load is 0", "no clock", "b.json: load is 0", "c.csv: load is 0", "c.csv: late"}),
               ElementsAre("a.json: load is 0 (and 2 more logs)", "no clock", "c.csv: late"));
+}
+
+TEST(Grouped, NumbersOfEachLogAreItsOwn) {
+  const std::string left_out = messages::kLeftOut;
+  const std::vector<std::string> notes{left_out + "x/a.json, line 12: a hole of 0.6 s", "x/b.csv: a hole of 3 s",
+                                       left_out + "x/c.json, line 7: a hole of 12.5 s", "2 of 8 logs", "3 of 8 logs"};
+  const std::vector<std::string> short_notes = grouped(notes);
+  ASSERT_EQ(short_notes.size(), 4u) << "what is left out is not what is odd";
+  EXPECT_THAT(short_notes[0], testing::AllOf(testing::StartsWith(notes[0]), HasSubstr("1 more logs, each")));
+  EXPECT_EQ(short_notes[1], notes[1]);
+  EXPECT_EQ(short_notes[3], notes[4]) << "of no log";
 }
 
 }  // namespace
