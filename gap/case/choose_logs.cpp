@@ -1,5 +1,6 @@
 // Which logs of a large folder are searched: the time of a search grows with each, and the tenth log of one bench, gain
-// and motion teaches little. Names of files do not count; what was set and what the goals do, does.
+// and motion teaches little. Names of files do not count; what was set, the motion that a log names and what its goals
+// do, does.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,13 +11,15 @@ namespace darwinop::gap {
 namespace {
 
 /// What distinguishes a log. Speed and travel of the goals in powers of two.
-using Traits = std::array<double, 8>;
+using Traits = std::array<double, 9>;
+constexpr std::size_t kKind = 8;   // of the motion
+constexpr double kKindWeight = 3;  // as much as release, speed and travel, which motions of several names share
 
 double octave(double value) {
   return value > 0 ? std::floor(std::log2(value)) : -1e3;
 }
 
-Traits traitsOf(const Trajectory& log) {
+Traits traitsOf(const Trajectory& log, std::size_t kind) {
   double fastest = 0;
   for (std::size_t row = 1; row < log.rows(); ++row)
     fastest = std::max(fastest, std::abs(log.goal_rad[row] - log.goal_rad[row - 1]) /
@@ -24,7 +27,8 @@ Traits traitsOf(const Trajectory& log) {
   const auto [low, high] = std::ranges::minmax(log.goal_rad);
   const bool released = std::ranges::find(log.torque_on, 0) != log.torque_on.end();
   return {log.p_register,           log.payload_kg,       log.length_m.value_or(0), log.arm_mass_kg.value_or(0),
-          log.supply_v.value_or(0), released ? 1.0 : 0.0, octave(fastest),          octave(high - low)};
+          log.supply_v.value_or(0), released ? 1.0 : 0.0, octave(fastest),          octave(high - low),
+          static_cast<double>(kind)};
 }
 
 /// Likeness to those that are chosen. Squares: one log that is nearly the same counts more than several that share a
@@ -33,7 +37,7 @@ double likeness(const Traits& one, const std::vector<Traits>& chosen) {
   double sum = 0;
   for (const Traits& other : chosen) {
     double same = 0;
-    for (std::size_t i = 0; i < one.size(); ++i) same += one[i] == other[i] ? 1 : 0;
+    for (std::size_t i = 0; i < one.size(); ++i) same += one[i] == other[i] ? (i == kKind ? kKindWeight : 1) : 0;
     sum += same * same;
   }
   return sum;
@@ -44,8 +48,11 @@ std::vector<bool> chosenOf(const std::vector<Trajectory>& logs, bool held_out, s
   std::vector<bool> taken(logs.size());
   std::vector<std::size_t> left;
   std::vector<Traits> traits, chosen;
+  std::vector<std::string> kinds;  // motions that share speed and travel differ in their frequencies
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    traits.push_back(traitsOf(logs[i]));
+    const auto kind = std::ranges::find(kinds, logs[i].kind) - kinds.begin();
+    if (kind == std::ssize(kinds)) kinds.push_back(logs[i].kind);
+    traits.push_back(traitsOf(logs[i], static_cast<std::size_t>(kind)));
     if (logs[i].held_out == held_out) left.push_back(i);
   }
   while (chosen.size() < most && !left.empty()) {
