@@ -4,6 +4,7 @@
 
 #include "gap/case/bam_log.hpp"
 #include "gap/case/folder_files.hpp"
+#include "gap/case/known_servos.hpp"
 #include "gap/case/messages.hpp"
 #include "hal/text_file.hpp"
 
@@ -38,7 +39,7 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model) {
     try {
       const std::optional<std::string> text = readTextFile(path.string(), kLongestBamLog);
       logs.push_back(parseBamLog(text.value_or(""), path.string(), path.stem().string()));
-      motors.insert(logs.back().motor);
+      motors.insert(motorName(logs.back().motor));
     } catch (const std::runtime_error& error) {
       out.unusable.emplace_back(error.what());
     }

@@ -24,6 +24,7 @@ constexpr std::string_view kDutyGain = "duty_per_kp_per_rad";
 
 /// Of a data sheet. Figures at stall may name another voltage than the supply: stall_Nm_at_5V.
 constexpr std::string_view kStall[] = {"stall_Nm", "stall_A"}, kGain[] = {"position_p_divisor", "pwm_limit"};
+constexpr std::string_view kOfManual = "of the manual; or position_p_divisor and pwm_limit";
 
 bool isOfBench(std::string_view key) {
   return std::ranges::find(kBench, key, &BenchKey::key) != std::end(kBench);
@@ -87,7 +88,7 @@ Declarations::Declarations(const std::vector<std::string>& words) {
              key == number + std::string{kSigma} && (isOfServo(number) || isOfBench(number)))
       sigmas_[number] = numberIn(key, value);
     else if (isOfServo(key))
-      servo_[key] = value;
+      servo_[key] = numberIn(key, value);
     else
       throw BadInput("--declare " + key + " " + messages::kNotDeclarable + suggestionFor(key));
   }
@@ -103,6 +104,17 @@ std::optional<double> Declarations::number(std::string_view key) const {
   return value ? std::optional{numberIn(std::string{key}, *value)} : std::nullopt;
 }
 
+bool Declarations::describes(std::string_view key) const {
+  return std::ranges::any_of(servo_, [&](const auto& one) { return one.first.starts_with(key); });
+}
+
+double Declarations::addServo(const std::string& key, double value, double relative_sigma) {
+  servo_[key] = value;
+  if (relative_sigma > 0) sigmas_.try_emplace(key, relative_sigma);
+  const auto found = sigmas_.find(key);
+  return found == sigmas_.end() ? 0 : found->second;
+}
+
 std::string Declarations::missing(std::string_view key, std::string_view meaning) {
   return "\n  --declare " + std::string{key} + "=...   " + std::string{meaning};
 }
@@ -110,19 +122,27 @@ std::string Declarations::missing(std::string_view key, std::string_view meaning
 std::string Declarations::missingOfServo() const {
   std::string out;
   for (const std::string_view key : kStall)
-    if (std::ranges::none_of(servo_, [&](const auto& one) { return one.first.starts_with(key); }))
+    if (!describes(key))
       out += missing(std::string{key} + "_at_12V", "at stall, of the data sheet, with the voltage that it names");
-  const bool gain = servo_.contains(std::string{kDutyGain}) ||
-                    std::ranges::all_of(kGain, [&](std::string_view key) { return servo_.contains(std::string{key}); });
-  if (!gain) out += missing(kDutyGain, "of the manual; or position_p_divisor and pwm_limit");
+  const bool gain = servo_.contains(std::string{kDutyGain}) || halvesOfGain() == std::size(kGain);
+  if (!gain) out += missing(kDutyGain, kOfManual);
   return out;
+}
+
+std::size_t Declarations::halvesOfGain() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(kGain, [&](std::string_view key) { return servo_.contains(std::string{key}); }));
+}
+
+std::string Declarations::missingOfGain() const {
+  return halvesOfGain() == 1 ? missing(kDutyGain, kOfManual) : "";
 }
 
 twin::ServoParameters Declarations::servoFrom(twin::ServoParameters servo, std::vector<std::string>& notes) const {
   servo.law = twin::Law::kVoltageP;
   servo.supply_v = number("supply_V").value_or(servo.supply_v);
   Json sheet = Json::object();
-  for (const auto& [key, value] : servo_) sheet[key] = numberIn(key, value);
+  for (const auto& [key, value] : servo_) sheet[key] = value;
   // Of both laws, and so not of the data sheet.
   for (const ServoKey& key : servoKeys())
     if (const auto found = sheet.find(key.json); found != sheet.end() && !isOfDatasheet(key)) {

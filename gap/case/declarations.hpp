@@ -36,8 +36,15 @@ class Declarations {
 
   /// Any number of the servo is declared.
   [[nodiscard]] bool describeServo() const { return !servo_.empty(); }
+  /// One whose key begins so.
+  [[nodiscard]] bool describes(std::string_view key) const;
+  /// A number that is not declared, of a data sheet, with its prior unless one is declared; sigma 0: it has none of its
+  /// own. Returns the prior that counts, 0: none.
+  double addServo(const std::string& key, double value, double relative_sigma);
   /// Which of those that a servo needs are not: a line each, empty: none.
   [[nodiscard]] std::string missingOfServo() const;
+  /// Of a servo whose gain is known: the same if one half of another gain is declared.
+  [[nodiscard]] std::string missingOfGain() const;
   /// What is not declared is as in `servo`. Appends to `notes` what is assumed.
   [[nodiscard]] twin::ServoParameters servoFrom(twin::ServoParameters servo, std::vector<std::string>& notes) const;
 
@@ -45,8 +52,11 @@ class Declarations {
   static std::string missing(std::string_view key, std::string_view meaning);
 
  private:
+  [[nodiscard]] std::size_t halvesOfGain() const;
+
   std::map<std::string, std::string, std::less<>> bench_;
-  std::map<std::string, std::string> servo_, encodings_;
+  std::map<std::string, std::string> encodings_;
+  std::map<std::string, double> servo_;
   std::map<std::string, double> sigmas_;
 };
 

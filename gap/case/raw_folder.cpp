@@ -7,6 +7,7 @@
 #include "gap/case/bam_log.hpp"
 #include "gap/case/declared_case.hpp"
 #include "gap/case/folder_files.hpp"
+#include "gap/case/known_servos.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/write_case.hpp"
 
@@ -27,7 +28,21 @@ void takeDeclared(const Declarations& declared, FolderCase& in) {
   readDeclared(caseAsJson(logs, !fitsBaseline(logs)), declared, {.log = log, .model = {}}, in);
 }
 
-FolderCase fromBam(const RawFolder& request, const Declarations& declared) {
+/// Numbers of a known motor. Throws BadInput for those that an unknown one lacks.
+void takeSheet(const std::string& folder, Declarations& declared, FolderCase& in) {
+  const double greatest_kp = std::ranges::max(in.given.logs, {}, &Trajectory::p_register).p_register;
+  const auto numbers = numbersOf(in.motor, greatest_kp, in.given.model.servo);
+  if (numbers) {
+    const std::vector<std::string> notes = declareSheet(in.motor, *numbers, declared);
+    in.notes.insert(in.notes.end(), notes.begin(), notes.end());
+  }
+  const std::string missing = numbers ? declared.missingOfGain() : declared.missingOfServo();
+  if (!missing.empty())
+    throw BadInput(folder + messages::kNotDeclared + missing + "\n  or --model FILE, a model of motor \"" + in.motor +
+                   "\"");
+}
+
+FolderCase fromBam(const RawFolder& request, Declarations declared) {
   for (const char* const key : {"kp", "payload_kg", "length_m", "arm_mass_kg", "joint", "torque_on"})
     if (declared.text(key)) throw BadInput("--declare " + std::string{key} + " " + messages::kOfCsv);
   if (!declared.encodings().empty())
@@ -39,15 +54,12 @@ FolderCase fromBam(const RawFolder& request, const Declarations& declared) {
       throw BadInput(std::string{"--declare supply_V "} + messages::kOfCsv);
     out.given.model.servo.supply_v = *supply_v;  // of the logs without one
   }
-  const bool is_known = !request.model.empty() || out.motor.starts_with("mx28");
-  const std::string missing = declared.missingOfServo();
-  if (!is_known && !missing.empty())
-    throw BadInput(request.folder + messages::kNotDeclared + missing + "\n  or --model FILE, a model of motor \"" +
-                   out.motor + "\"");
+  if (request.model.empty()) takeSheet(request.folder, declared, out);
   if (declared.describeServo()) {
     out.given.model.servo = declared.servoFrom(out.given.model.servo, out.notes);
     out.given.model.effects.clear();  // friction of another servo
-    out.notes.push_back("motor \"" + out.motor + "\" has the declared numbers, and the others of model " + model);
+    out.notes.push_back("motor \"" + out.motor +
+                        "\" has the numbers above and those declared, and the others of model " + model);
   } else {
     out.notes.push_back("motor \"" + out.motor + "\" has the numbers of model " + model + "; correct them in the case");
   }

@@ -14,6 +14,8 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
+constexpr const char* kUnknownMotor = "\"kp\": 32, \"motor\": \"erob80\"";
+
 struct DeclaredFolder : RawFolderTest {};
 
 TEST_F(DeclaredFolder, AVerticalAxisIsDeclared) {
@@ -71,7 +73,7 @@ TEST_F(DeclaredFolder, ASupplyIsDeclaredWhereBamLogsHaveNone) {
 }
 
 TEST_F(DeclaredFolder, AnotherMotorIsDeclaredInFull) {
-  write(folder / "a.json", bamText(zero, zero));  // an MX-106
+  write(folder / "a.json", bamText(zero, zero, kUnknownMotor));
   const auto declaring = [&](const std::vector<std::string>& words) -> std::string {
     try {
       (void)readRawFolder({.folder = folder / "", .model = "", .declared = words, .held_out = {}});
@@ -89,7 +91,7 @@ TEST_F(DeclaredFolder, AnotherMotorIsDeclaredInFull) {
 
 TEST_F(DeclaredFolder, TheArmatureOfAnotherServoIsNoted) {
   const TemporaryFolder csv;
-  write(folder / "a.json", bamText(zero, zero));
+  write(folder / "a.json", bamText(zero, zero, kUnknownMotor));
   write(csv / "a.csv", csvOf(sineRows()));
   const auto notesFor = [&](const std::string& from, std::vector<std::string> words) {
     for (const char* const one : {"stall_Nm_at_12V=8.4", "stall_A_at_12V=5.2", "duty_per_kp_per_rad=0.158"})
