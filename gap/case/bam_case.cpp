@@ -53,7 +53,7 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model) {
   }
   c.pendulum.length_m = *c.logs.front().length_m;
   c.pendulum.arm_mass_kg = *c.logs.front().arm_mass_kg;
-  if (c.logs.front().supply_v) c.model.servo.supply_v = *c.logs.front().supply_v;
+  if (c.logs.front().supply_v) c.model.servo.supply_v = *c.logs.front().supply_v;  // else takeSupply()
   out.motor = *motors.begin();
   return out;
 }

@@ -32,4 +32,8 @@ std::string asBamJson(const Case& c, const Trajectory& log, std::string_view mot
 /// All *.json of a folder, by name, as a case whose servo is that of a model file, or of a shipped model's name. Throws
 /// BadInput.
 FolderCase readBamFolder(const std::string& folder, const std::string& model);
+
+/// Gives logs without `vin` the declared supply, else the voltage that they read without load, with a note. Returns
+/// what has to be declared; empty: nothing. Throws BadInput for a declared supply where all logs have theirs.
+std::string takeSupply(const Declarations& declared, FolderCase& in);
 }  // namespace darwinop::gap

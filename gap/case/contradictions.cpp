@@ -24,15 +24,6 @@ double middleOf(std::vector<double>& values) {
   return *middle;
 }
 
-/// Without current; NaN where the log does not show it.
-double idleVoltage(const Trajectory& log) {
-  std::vector<double> idle;
-  for (std::size_t row = 0; row < log.rows(); ++row)
-    if (!std::isnan(log.volt_v[row]) && (log.torque_on[row] == 0 || std::abs(log.load[row]) < kIdleLoad))
-      idle.push_back(log.volt_v[row]);
-  return idle.size() < kFewestRows ? std::numeric_limits<double>::quiet_NaN() : middleOf(idle);
-}
-
 /// The load that a hundredth of the rows exceeds; NaN without load.
 double greatestLoad(const Trajectory& log) {
   std::vector<double> loads;
@@ -72,6 +63,14 @@ void tally(const Case& c, std::string_view number, std::string_view unit, const 
 }
 
 }  // namespace
+
+double idleVoltage(const Trajectory& log) {
+  std::vector<double> idle;
+  for (std::size_t row = 0; row < log.rows(); ++row)
+    if (!std::isnan(log.volt_v[row]) && (log.torque_on[row] == 0 || std::abs(log.load[row]) < kIdleLoad))
+      idle.push_back(log.volt_v[row]);
+  return idle.size() < kFewestRows ? std::numeric_limits<double>::quiet_NaN() : middleOf(idle);
+}
 
 std::vector<Contradiction> contradictionsOf(const Case& c) {
   std::vector<Contradiction> found;

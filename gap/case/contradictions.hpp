@@ -16,6 +16,9 @@ struct Contradiction {
   std::size_t logs = 0, of = 0;    // logs that contradict, of those that measure it
 };
 
+/// Median voltage of a log without current; NaN where it does not show it.
+double idleVoltage(const Trajectory& log);
+
 /// One entry for each value that the case or its logs give.
 std::vector<Contradiction> contradictionsOf(const Case& c);
 

@@ -39,6 +39,7 @@ inline constexpr const char* kNoTorqueEnable = " rows have no torque_enable and 
 inline constexpr const char* kNotBamRow = "has a row without timestamp or goal_position; is this a raw log of BAM?";
 inline constexpr const char* kKeepsAll = ": --keep holds all logs out; leave some to be fitted";
 inline constexpr const char* kNotLogOfFolder = " is none of the usable logs of ";
+inline constexpr const char* kSupplyMeasured = " logs have no `vin`: their supply is what they read without load, ";
 inline constexpr const char* kSeveralMotors = "logs of several motors; put each into a folder of its own";
 
 // folders of raw logs

@@ -28,18 +28,17 @@ void takeDeclared(const Declarations& declared, FolderCase& in) {
   readDeclared(caseAsJson(logs, !fitsBaseline(logs)), declared, {.log = log, .model = {}}, in);
 }
 
-/// Numbers of a known motor. Throws BadInput for those that an unknown one lacks.
-void takeSheet(const std::string& folder, Declarations& declared, FolderCase& in) {
+/// Numbers of a known motor. Returns what has to be declared of an unknown one; empty: nothing.
+std::string takeSheet(Declarations& declared, FolderCase& in) {
   const double greatest_kp = std::ranges::max(in.given.logs, {}, &Trajectory::p_register).p_register;
   const auto numbers = numbersOf(in.motor, greatest_kp, in.given.model.servo);
   if (numbers) {
     const std::vector<std::string> notes = declareSheet(in.motor, *numbers, declared);
     in.notes.insert(in.notes.end(), notes.begin(), notes.end());
+    return declared.missingOfGain();
   }
-  const std::string missing = numbers ? declared.missingOfGain() : declared.missingOfServo();
-  if (!missing.empty())
-    throw BadInput(folder + messages::kNotDeclared + missing + "\n  or --model FILE, a model of motor \"" + in.motor +
-                   "\"");
+  const std::string missing = declared.missingOfServo();
+  return missing.empty() ? "" : missing + "\n  or --model FILE, a model of motor \"" + in.motor + "\"";
 }
 
 FolderCase fromBam(const RawFolder& request, Declarations declared) {
@@ -49,12 +48,9 @@ FolderCase fromBam(const RawFolder& request, Declarations declared) {
     throw BadInput("--declare " + declared.encodings().begin()->first + " " + messages::kOfCsv);
   const std::string model = request.model.empty() ? kOwnServo : request.model;
   FolderCase out = readBamFolder(request.folder, model);
-  if (const std::optional<double> supply_v = declared.number("supply_V")) {
-    if (std::ranges::all_of(out.given.logs, [](const Trajectory& log) { return log.supply_v.has_value(); }))
-      throw BadInput(std::string{"--declare supply_V "} + messages::kOfCsv);
-    out.given.model.servo.supply_v = *supply_v;  // of the logs without one
-  }
-  if (request.model.empty()) takeSheet(request.folder, declared, out);
+  std::string missing = takeSupply(declared, out);
+  if (request.model.empty()) missing += takeSheet(declared, out);
+  if (!missing.empty()) throw BadInput(request.folder + messages::kNotDeclared + missing);
   if (declared.describeServo()) {
     out.given.model.servo = declared.servoFrom(out.given.model.servo, out.notes);
     out.given.model.effects.clear();  // friction of another servo

@@ -72,6 +72,39 @@ TEST_F(DeclaredFolder, ASupplyIsDeclaredWhereBamLogsHaveNone) {
   EXPECT_EQ(supplyOf(read, read.logs[1]), 11.1);
 }
 
+TEST_F(DeclaredFolder, ASupplyThatIsNotDeclaredIsMeasuredOrAskedFor) {
+  const auto withVolts = [](const std::string& load, const std::string& volts) {
+    const std::string text = bamText([&](int) { return load; }, zero, "\"kp\": 8, \"motor\": \"mx28\"");
+    std::string json = replaced(text, "\"vin\": 12, ", "");
+    for (std::size_t at = 0; (at = json.find("12.1", at)) != std::string::npos; at += volts.size())
+      json.replace(at, 4, volts);
+    return json;
+  };
+  const auto reading = [&] {
+    return readRawFolder({.folder = folder / "", .model = "", .declared = {}, .held_out = {}});
+  };
+  write(folder / "a.json", withVolts("12", "15.0"));
+  write(folder / "b.json", withVolts("1030", "15.2"));
+  const FolderCase measured = reading();
+  for (const Trajectory& log : measured.given.logs) EXPECT_NEAR(supplyOf(measured.given, log), 15.1, 0.11);
+  EXPECT_EQ(supplyOf(measured.given, measured.given.logs[0]), supplyOf(measured.given, measured.given.logs[1]));
+  EXPECT_THAT(measured.notes, Contains(HasSubstr(messages::kSupplyMeasured)));
+  write(folder / "b.json", withVolts("1030", "11.1"));
+  const Case two = reading().given;
+  EXPECT_EQ(supplyOf(two, two.logs[0]), 15.0);
+  EXPECT_EQ(supplyOf(two, two.logs[1]), 11.1);
+  for (const auto& [load, volts] : {std::pair{"300", "15.0"}, {"12", "0"}, {"12", "150"}}) {
+    write(folder / "a.json", withVolts(load, volts));
+    write(folder / "b.json", withVolts(load, volts));
+    try {
+      (void)reading();
+      ADD_FAILURE() << "under load, or not read, or in tenths: " << volts;
+    } catch (const BadInput& refused) {
+      EXPECT_THAT(refused.what(), testing::AllOf(HasSubstr(messages::kNotDeclared), HasSubstr("supply_V")));
+    }
+  }
+}
+
 TEST_F(DeclaredFolder, AnotherMotorIsDeclaredInFull) {
   write(folder / "a.json", bamText(zero, zero, kUnknownMotor));
   const auto declaring = [&](const std::vector<std::string>& words) -> std::string {
