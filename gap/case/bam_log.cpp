@@ -94,7 +94,7 @@ void takeRows(const Json& entries, const std::string& file, BamLog& into) {
     log.volt_v.push_back(valueOf(entry, "input_volts"));
     log.temp_c.push_back(valueOf(entry, "temp"));
     log.current_a.push_back(valueOf(entry, "current"));
-    log.lines.push_back(static_cast<std::uint32_t>(log.time_s.size()));
+    log.lines.push_back(static_cast<std::uint32_t>(&entry - &entries.front()));
     into.load.push_back(valueOf(entry, "load"));
     into.torque.push_back(valueOf(entry, "torque"));
   }

@@ -11,7 +11,7 @@
 namespace darwinop::gap {
 
 struct BamLog {
-  Trajectory log;                    // its load: convertLoads()
+  Trajectory log;                    // its load: convertLoads(); its lines: indices of entries
   std::string motor;                 // "mx106"
   std::vector<std::string> notes;    // what was recognized in the file, and by what
   std::vector<double> load, torque;  // as they are in the file, which does not give their unit
@@ -32,6 +32,9 @@ std::string asBamJson(const Case& c, const Trajectory& log, std::string_view mot
 /// All *.json of a folder, by name, as a case whose servo is that of a model file, or of a shipped model's name. Throws
 /// BadInput.
 FolderCase readBamFolder(const std::string& folder, const std::string& model);
+
+/// Reads the logs again with what is declared of them, and leaves out those that cannot be used.
+void checkBamLogs(const Declarations& declared, FolderCase& in);
 
 /// Gives logs without `vin` the declared supply, else the voltage that they read without load, with a note. Returns
 /// what has to be declared; empty: nothing. Throws BadInput for a declared supply where all logs have theirs.

@@ -55,8 +55,8 @@ std::vector<std::string> grouped(const std::vector<std::string>& notes) {
   std::vector<std::string> out;
   for (NoteGroup& group : groups) {
     if (group.more > 0)
-      group.first +=
-          " (and " + std::to_string(group.more) + " more logs" + (group.differs ? ", each with its own numbers)" : ")");
+      group.first += " (and " + std::to_string(group.more) + (group.more == 1 ? " more log" : " more logs") +
+                     (group.differs ? ", each with its own numbers)" : ")");
     out.push_back(std::move(group.first));
   }
   return out;

@@ -34,6 +34,7 @@ inline constexpr const char* kUnusableLogs = " cannot be used:";
 inline constexpr const char* kLeftOut = "a log is left out: ";
 
 // BAM
+inline constexpr const char* kKeysHaveUnits = " (in a CSV; keys of BAM are in rad and s, so convert the numbers)";
 inline constexpr const char* kNoBamLogs = "has no *.json; give the folder with the logs of BAM";
 inline constexpr const char* kNoTorqueEnable = " rows have no torque_enable and count as torque on";
 inline constexpr const char* kNotBamRow = "has a row without timestamp or goal_position; is this a raw log of BAM?";

@@ -105,11 +105,10 @@ std::optional<BadInput> fill(LogEntry& entry, Fields& top, const Encodings& raw,
   }
 }
 
-/// Those that can be used.
+/// Those that can be used; none if all are left out.
 std::vector<LogEntry> filled(std::vector<LogEntry> entries, Fields& top, const Encodings& raw, const CaseFiles& files,
                              Case& into) {
   std::vector<LogEntry> usable;
-  std::optional<BadInput> last;
   for (LogEntry& entry : entries) {
     const std::optional<BadInput> wrong = fill(entry, top, raw, files, into);
     if (!wrong) {
@@ -118,9 +117,7 @@ std::vector<LogEntry> filled(std::vector<LogEntry> entries, Fields& top, const E
     }
     if (!files.leave_out) throw BadInput{*wrong};
     files.leave_out(*wrong);
-    last = wrong;
   }
-  if (usable.empty()) throw BadInput{*last};
   return usable;
 }
 

@@ -3,13 +3,10 @@
 
 #include <algorithm>
 
-#include "experiments/logs/read_log.hpp"
 #include "gap/case/bam_log.hpp"
-#include "gap/case/declared_case.hpp"
 #include "gap/case/folder_files.hpp"
 #include "gap/case/known_servos.hpp"
 #include "gap/case/messages.hpp"
-#include "gap/case/write_case.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -17,16 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kOwnServo = "darwin-op";  // model whose servo is the MX-28
-
-/// Reads the logs with what is declared of them.
-void takeDeclared(const Declarations& declared, FolderCase& in) {
-  const Case logs = in.given;
-  const auto log = [&](const std::string& name) {
-    return logs::parseLog(logAsCsv(*std::ranges::find(logs.logs, name, &Trajectory::file)),
-                          (fs::path{logs.folder} / name).string());
-  };
-  readDeclared(caseAsJson(logs, !fitsBaseline(logs)), declared, {.log = log, .model = {}}, in);
-}
 
 /// Numbers of a known motor. Returns what has to be declared of an unknown one; empty: nothing.
 std::string takeSheet(Declarations& declared, FolderCase& in) {
@@ -61,7 +48,7 @@ FolderCase fromBam(const RawFolder& request, Declarations declared) {
   }
   if (!declared.text("goal_order"))
     out.notes.emplace_back("goals count as written before the read of their row, as BAM's recorder does");
-  takeDeclared(declared, out);
+  checkBamLogs(declared, out);
   return out;
 }
 

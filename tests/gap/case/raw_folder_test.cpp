@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -115,6 +116,36 @@ TEST_F(RawFolderTest, AShortPauseOfTheHostIsPartOfALog) {
   EXPECT_EQ(read().given.logs.size(), 8u);
 }
 
+/// With 100 in place of one goal.
+std::string withWildGoal(int row) {
+  const std::string text = bamText(zero, zero, "\"kp\": 8, \"motor\": \"mx28\"");
+  const std::string goal = "\"goal_position\": " + std::to_string(0.5 * std::sin(3 * 0.0125 * row));
+  return replaced(text, goal, "\"goal_position\": 100");
+}
+
+TEST_F(RawFolderTest, WhatIsWrongIsSaidOfTheEntryOfAJsonFile) {
+  for (int i = 0; i < 4; ++i) addLog("a" + std::to_string(i), 8, "0.5");
+  write(folder / "wild.json", withWildGoal(150));
+  EXPECT_THAT(read().notes, Contains(testing::AllOf(HasSubstr(folder / "wild.json, entries[150]: goal is 100 rad"),
+                                                    HasSubstr(messages::kKeysHaveUnits))));
+}
+
+TEST_F(RawFolderTest, IfNoLogCanBeUsedTheirNumberAndReasonsAreNamed) {
+  write(folder / "a.json", withWildGoal(150));
+  write(folder / "b.json", withWildGoal(140));
+  write(folder / "c.json", withPause(bamText(zero, zero, "\"kp\": 8, \"motor\": \"mx28\""), 3));
+  try {
+    (void)read();
+    ADD_FAILURE();
+  } catch (const BadInput& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("3 of 3"));
+    EXPECT_THAT(refused.what(), HasSubstr("a.json, entries[150]"));
+    EXPECT_THAT(refused.what(), HasSubstr("c.json, entries[40]"));
+    EXPECT_THAT(refused.what(), HasSubstr("1 more log"));
+    EXPECT_THAT(refused.what(), testing::Not(HasSubstr("b.json")));
+  }
+}
+
 TEST_F(RawFolderTest, IsUsedIfHalfOfItCanBe) {
   for (int i = 0; i < 4; ++i) addLog("a" + std::to_string(i), 8, "0.5");
   for (int i = 0; i < 4; ++i)
@@ -160,7 +191,7 @@ TEST(Grouped, NumbersOfEachLogAreItsOwn) {
                                        left_out + "x/c.json, line 7: a hole of 12.5 s", "2 of 8 logs", "3 of 8 logs"};
   const std::vector<std::string> short_notes = grouped(notes);
   ASSERT_EQ(short_notes.size(), 4u) << "what is left out is not what is odd";
-  EXPECT_THAT(short_notes[0], testing::AllOf(testing::StartsWith(notes[0]), HasSubstr("1 more logs, each")));
+  EXPECT_THAT(short_notes[0], testing::AllOf(testing::StartsWith(notes[0]), HasSubstr("1 more log, each")));
   EXPECT_EQ(short_notes[1], notes[1]);
   EXPECT_EQ(short_notes[3], notes[4]) << "of no log";
 }
