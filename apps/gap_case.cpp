@@ -43,7 +43,10 @@ void makeRawCase(const Arguments& given, const std::string& raw, const std::stri
                                          .model = given.model,
                                          .declared = given.declared,
                                          .held_out = given.held_out,
-                                         .all_logs = given.all_logs});
+                                         .all_logs = given.all_logs,
+                                         .format = !given.from_bam.empty()   ? RawFormat::kBam
+                                                   : !given.from_csv.empty() ? RawFormat::kCsv
+                                                                             : RawFormat::kByFiles});
   writeCase(read.given, into);
   for (const std::string& note : grouped(read.notes)) std::cerr << "darwinop gap: " << note << '\n';
 }

@@ -9,13 +9,8 @@
 #include "hal/text_file.hpp"
 
 namespace darwinop::gap {
-namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kLongestBamLog = std::size_t{1} << 28;  // bytes
-
-}  // namespace
 
 FolderCase readBamFolder(const std::string& folder, const std::string& model) {
   FolderCase out;

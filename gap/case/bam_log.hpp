@@ -2,6 +2,7 @@
 // in the head and one object a row. Read into a log of a case, and written from one.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "gap/case/raw_folder.hpp"
 
 namespace darwinop::gap {
+
+inline constexpr std::size_t kLongestBamLog = std::size_t{1} << 28;  // bytes
 
 struct BamLog {
   Trajectory log;                    // its load: convertLoads(); its lines: indices of entries

@@ -66,7 +66,9 @@ FolderCase readCsvFolder(const RawFolder& request, const Declarations& declared,
   const CaseFiles files = filesOfServo(request, declared, out.notes);
   Json logs = Json::array();
   std::string missing;  // of the first log that lacks something
-  for (const fs::path& path : filesEndingWith(request.folder, ".csv")) {
+  const std::vector<fs::path> paths = filesEndingWith(request.folder, ".csv");
+  if (paths.empty()) throw BadInput(request.folder + ": " + messages::kNoCsvs);
+  for (const fs::path& path : paths) {
     std::string of_log;
     const std::string file = path.filename().string();
     try {

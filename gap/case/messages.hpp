@@ -54,6 +54,7 @@ inline constexpr const char* kNoGoalOfJoint = "there is no goal of joint ";
 inline constexpr const char* kOfCsv = "is for CSVs: BAM's logs contain their own; correct those";
 inline constexpr const char* kDecimalComma = "has a comma; write the number with a decimal point, as in 2.4";
 inline constexpr const char* kSheetNumber = "; --declare replaces it";
+inline constexpr const char* kNoCsvs = "has no *.csv; give the folder with the logs";
 inline constexpr const char* kNotKeyValue = "is not KEY=VALUE, as in --declare kp=32";
 inline constexpr const char* kSeveralValues = "has several values; cut the log where it changes";
 inline constexpr const char* kUnitLeftOut = "has a unit that is not known, and is left out";

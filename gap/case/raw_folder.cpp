@@ -7,6 +7,7 @@
 #include "gap/case/folder_files.hpp"
 #include "gap/case/known_servos.hpp"
 #include "gap/case/messages.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -71,6 +72,15 @@ FolderCase fromCsv(const RawFolder& request, const Declarations& declared) {
   return out;
 }
 
+/// Folders of CSVs may have a metadata.json.
+bool isBam(const RawFolder& request) {
+  if (request.format != RawFormat::kByFiles) return request.format == RawFormat::kBam;
+  if (filesEndingWith(request.folder, ".csv").empty()) return true;
+  return std::ranges::any_of(filesEndingWith(request.folder, ".json"), [](const fs::path& path) {
+    return readTextFile(path.string(), kLongestBamLog).value_or("").find("\"entries\"") != std::string::npos;
+  });
+}
+
 }  // namespace
 
 std::vector<fs::path> filesEndingWith(const std::string& folder, const char* end) {
@@ -95,8 +105,7 @@ bool isRawFolder(const std::string& folder) {
 
 FolderCase readRawFolder(const RawFolder& request) {
   const Declarations declared{request.declared};
-  const bool is_bam = !filesEndingWith(request.folder, ".json").empty();
-  FolderCase out = is_bam ? fromBam(request, declared) : fromCsv(request, declared);
+  FolderCase out = isBam(request) ? fromBam(request, declared) : fromCsv(request, declared);
   noteUnusable(out);
   holdOut(request.held_out, out);
   if (!request.all_logs) chooseLogs(out);

@@ -2,6 +2,7 @@
 // declared as KEY=VALUE.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,16 @@
 
 namespace darwinop::gap {
 
+/// kByFiles: BAM if any JSON has `entries`, or if there is no CSV.
+enum class RawFormat : std::uint8_t { kByFiles, kBam, kCsv };
+
 struct RawFolder {
   std::string folder;
   std::string model;                  // model file, or name of a shipped model; empty: the servo is declared
   std::vector<std::string> declared;  // "kp=100"
   std::vector<std::string> held_out;  // names of logs, without their ending
   bool all_logs = false;              // also of a large folder
+  RawFormat format = RawFormat::kByFiles;
 };
 
 /// A case, and what was recognized in its logs or assumed, in sentences.
