@@ -3,16 +3,20 @@
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <utility>
 
 #include "gap/case/bam_log.hpp"
 #include "gap/case/robot/joint_case.hpp"
 #include "gap/case/write_case.hpp"
+#include "gap/report/data_hash.hpp"
 #include "gap_commands.hpp"
 #include "gap_files.hpp"
 #include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
+
+namespace fs = std::filesystem;
 
 Joint jointCalled(const std::string& name) {
   const auto row = std::ranges::find(kJointTable, name, &JointRow::name);
@@ -31,9 +35,20 @@ int toBam(const Arguments& given) {
   const Case read = readCase(given.to_bam);
   makeFolder(given.out);
   for (const Trajectory& log : read.logs)
-    writeTextFile(std::filesystem::path{given.out} / std::filesystem::path{log.file}.stem().concat(".json"),
+    writeTextFile(fs::path{given.out} / fs::path{log.file}.stem().concat(".json"),
                   asBamJson(read, log, read.model.name));
   return 0;
+}
+
+/// A case that the same logs made before may have been edited since.
+void refuseToOverwrite(const Case& made, const fs::path& folder) {
+  const bool has_model = !fitsBaseline(made);
+  std::vector<std::pair<fs::path, std::string>> files{{folder / "case.json", caseAsJson(made, has_model)}};
+  if (has_model) files.emplace_back(folder / "model.ini", twin::writeModel(made.model));
+  for (const auto& [file, text] : files)
+    if (fs::exists(file) && textOf(file.string()) != text)
+      throw std::runtime_error(file.string() + messages::kOtherCase + shellWord(folder.string()) +
+                               ", or give another folder with --report");
 }
 
 }  // namespace
@@ -47,6 +62,7 @@ void makeRawCase(const Arguments& given, const std::string& raw, const std::stri
                                          .format = !given.from_bam.empty()   ? RawFormat::kBam
                                                    : !given.from_csv.empty() ? RawFormat::kCsv
                                                                              : RawFormat::kByFiles});
+  refuseToOverwrite(read.given, into);
   writeCase(read.given, into);
   for (const std::string& note : grouped(read.notes)) std::cerr << "darwinop gap: " << note << '\n';
 }

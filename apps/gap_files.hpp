@@ -8,6 +8,9 @@
 namespace darwinop::gap {
 namespace messages {
 inline constexpr const char* kOutExists = " exists; give another folder with --out";
+inline constexpr const char* kOtherCase =
+    " is not the case that these logs make now, and may have been edited; run it with "
+    "darwinop gap run ";
 inline constexpr const char* kModelOfReport = ", repaired.ini the model with the effects";
 inline constexpr const char* kRecordingExists =
     " exists; --resume keeps the recordings there and makes the others, or give another folder with --out";

@@ -96,6 +96,13 @@ TEST(RawLogs, OfBamGiveANameInOneCommand) {
   const Outcome named = shell(run + kSheet + " --keep kept");
   expectFriction(named, report);
   EXPECT_THAT(named.said, HasSubstr(messages::kArmatureAssumed));
+
+  const std::string made = report + "/case/case.json", edited = textOf(made) + "\n";
+  write(made, edited);
+  const Outcome again = shell(run + kSheet + " --keep kept");
+  EXPECT_EQ(again.status, kBadInput);
+  EXPECT_THAT(again.said, HasSubstr(made));
+  EXPECT_EQ(textOf(made), edited) << "it is kept";
 }
 
 TEST(RawLogs, RefuseWhatCannotBeDeclared) {
