@@ -8,6 +8,7 @@
 #include "gap/case/chain.hpp"
 #include "gap/case/column_bounds.hpp"
 #include "gap/case/limits.hpp"
+#include "gap/case/median.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/plausible.hpp"
 
@@ -119,14 +120,6 @@ void maskSpeeds(Trajectory& log, const PhysicalLimits& limits) {
   for (std::size_t row = 0; row < log.rows(); ++row)
     if (std::abs(log.speed_rad_s[row]) > limits.speed_rad_s) outside.push_back(row);
   maskIfFew(log, columnBounds()[kSpeed], outside, messages::kMaskedJump);
-}
-
-double medianOf(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // One log of BAM.
 #include "gap/case/bam_log.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "gap/case/encodings.hpp"
+#include "gap/case/chain.hpp"
+#include "gap/case/column_bounds.hpp"
 #include "gap/case/fields.hpp"
 #include "gap/case/messages.hpp"
 
@@ -13,6 +13,9 @@ namespace darwinop::gap {
 namespace {
 
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
+
+// Entries in a row whose time is not after that of those before: lone false readings are fewer.
+constexpr std::size_t kMostOffTheClock = 3;
 
 /// A number, true or false of an entry; NaN without one.
 double valueOf(const Json& entry, const char* key) {
@@ -22,93 +25,93 @@ double valueOf(const Json& entry, const char* key) {
   return found->is_number() ? found->get<double>() : kNotThere;
 }
 
-struct LoadRule {
-  bool (*fits)(double greatest, double least, bool whole);
-  const char* encoding;  // null: a share, times `scale`
-  double scale;
-  const char* reason;
-};
-/// The first that fits the columns of all logs.
-constexpr LoadRule kLoadRules[] = {
-    {[](double most, double, bool whole) { return whole && most > 32'767 && most <= 65'535; }, "load_int16", 0,
-     "counts above 32767: 16 bits in two's complement, logged without sign"},
-    {[](double most, double least, bool whole) { return whole && most >= 1'024 && most < 2'048 && least >= 0; },
-     "load_bit10", 0, "counts up to 2047 and none below 0: bit 10 is the sign, 0.1 % a count"},
-    {[](double most, double least, bool whole) { return !whole && std::max(most, -least) <= 1.01; }, nullptr, 1,
-     "fractions, nothing beyond 1: a share of the greatest duty"},
-    {[](double most, double least, bool whole) { return !whole && std::max(most, -least) <= 101; }, nullptr, 0.01,
-     "fractions, nothing beyond 100: percent"},
-    {[](double most, double least, bool whole) { return whole && std::max(most, -least) <= 1'023; }, "load_int16", 0,
-     "whole numbers with sign up to 1023: 0.1 % a count"},
-};
-
-/// Null: the unit of this column, which the files do not give, is not recognized.
-const LoadRule* ruleFor(const std::vector<BamLog>& logs, const std::vector<double> BamLog::*column) {
-  double most = 0, least = 0;
-  bool whole = true;
-  for (const BamLog& one : logs)
-    for (const double value : one.*column) {
-      if (std::isnan(value)) continue;
-      most = std::max(most, value), least = std::min(least, value);
-      whole = whole && value == std::nearbyint(value);
-    }
-  const auto* const found =
-      std::ranges::find_if(kLoadRules, [&](const LoadRule& rule) { return rule.fits(most, least, whole); });
-  return found == std::end(kLoadRules) ? nullptr : found;
+/// The goal of an entry: of a limp row without one, which some recorders write, the goal before.
+double goalOf(const Json& entry, const Trajectory& log) {
+  const double goal = valueOf(entry, "goal_position");
+  if (std::isfinite(goal) || valueOf(entry, "torque_enable") != 0) return goal;
+  return log.goal_rad.empty() ? valueOf(entry, "position") : log.goal_rad.back();
 }
 
-void takeLoad(const LoadRule& rule, const std::vector<double>& column, const char* key, BamLog& into) {
-  // Duties of the X series are counts of 885, in two's complement.
-  const bool x_series = !into.motor.empty() && (into.motor.front() == 'x' || into.motor.front() == 'X');
-  const bool duty = rule.encoding != nullptr && std::string_view{rule.encoding} == "load_int16" && x_series;
-  const char* const name = duty ? "pwm_int16_885" : rule.encoding;
-  std::ranges::transform(column, into.log.load.begin(), [&](double value) {
-    return name == nullptr ? value * rule.scale : findEncoding(name)->decode(value);
-  });
-  into.notes.push_back(into.log.file + ": " + key + " is read as load, " + rule.reason +
-                       (name == nullptr ? "" : ", encoding " + std::string{name}));
+void takeEntry(const Json& entry, double time_s, double goal, std::size_t number, BamLog& into) {
+  Trajectory& log = into.log;
+  log.time_s.push_back(time_s);
+  log.goal_rad.push_back(goal);
+  log.torque_on.push_back(valueOf(entry, "torque_enable") == 0 ? 0 : 1);
+  log.position_rad.push_back(valueOf(entry, "position"));
+  log.speed_rad_s.push_back(valueOf(entry, "speed"));
+  log.volt_v.push_back(valueOf(entry, "input_volts"));
+  log.temp_c.push_back(valueOf(entry, "temp"));
+  log.current_a.push_back(valueOf(entry, "current"));
+  log.lines.push_back(static_cast<std::uint32_t>(number));
+  into.load.push_back(valueOf(entry, "load"));
+  into.torque.push_back(valueOf(entry, "torque"));
 }
 
-bool isAllZero(const std::vector<double>& column) {
-  return std::ranges::all_of(column, [](double value) { return std::isnan(value) || value == 0; });
+/// Entries whose time is none, or not after that of the entries before: lone ones are left out. A clock that was set
+/// has many: what is before and after them are two logs.
+std::vector<bool> offTheClock(const Json& entries, const std::string& file) {
+  std::vector<double> time_s;
+  std::vector<std::size_t> known;
+  for (const Json& entry : entries) {
+    if (!entry.is_object()) throw BadInput(file + ": `entries` " + messages::kNotBamRow);
+    time_s.push_back(valueOf(entry, "timestamp"));
+    if (std::isfinite(time_s.back())) known.push_back(time_s.size() - 1);
+  }
+  std::vector<bool> off(time_s.size(), true);
+  for (const std::size_t row : known) off[row] = false;
+  for (const std::size_t row :
+       outsideLongestChain(known, [&](std::size_t i, std::size_t j) { return time_s[j] > time_s[i]; }))
+    off[row] = true;
+  std::size_t in_a_row = 0;
+  for (std::size_t row = 0; row < off.size(); ++row) {
+    in_a_row = off[row] ? in_a_row + 1 : 0;
+    if (in_a_row > kMostOffTheClock)
+      throw BadInput(file + ": `entries[" + std::to_string(row + 1 - in_a_row) + "]` " + messages::kClockWasSet);
+  }
+  return off;
 }
 
 void takeRows(const Json& entries, const std::string& file, BamLog& into) {
-  Trajectory& log = into.log;
-  std::size_t dropped = 0, without_torque_enable = 0;
-  for (const Json& entry : entries) {
-    if (!entry.is_object()) throw BadInput(file + ": `entries` " + messages::kNotBamRow);
-    const double time_s = valueOf(entry, "timestamp"), goal = valueOf(entry, "goal_position");
-    if (!std::isfinite(time_s) || !std::isfinite(goal)) throw BadInput(file + ": `entries` " + messages::kNotBamRow);
-    if (!log.time_s.empty() && !(time_s > log.time_s.back())) {
-      ++dropped;
-      continue;
+  const std::vector<bool> off = offTheClock(entries, file);
+  std::size_t late = 0, without_goal = 0, without_torque_enable = 0;
+  for (std::size_t row = 0; row < entries.size(); ++row) {
+    const double goal = goalOf(entries[row], into.log);
+    if (off[row]) {
+      ++late;
+    } else if (!std::isfinite(goal)) {
+      ++without_goal;
+    } else {
+      if (std::isnan(valueOf(entries[row], "torque_enable"))) ++without_torque_enable;
+      takeEntry(entries[row], valueOf(entries[row], "timestamp"), goal, row, into);
     }
-    log.time_s.push_back(time_s);
-    log.goal_rad.push_back(goal);
-    const double torque_on = valueOf(entry, "torque_enable");
-    if (std::isnan(torque_on)) ++without_torque_enable;
-    log.torque_on.push_back(torque_on == 0 ? 0 : 1);
-    log.position_rad.push_back(valueOf(entry, "position"));
-    log.speed_rad_s.push_back(valueOf(entry, "speed"));
-    log.volt_v.push_back(valueOf(entry, "input_volts"));
-    log.temp_c.push_back(valueOf(entry, "temp"));
-    log.current_a.push_back(valueOf(entry, "current"));
-    log.lines.push_back(static_cast<std::uint32_t>(&entry - &entries.front()));
-    into.load.push_back(valueOf(entry, "load"));
-    into.torque.push_back(valueOf(entry, "torque"));
   }
-  log.load.assign(log.rows(), kNotThere);
-  if (without_torque_enable > 0)
-    into.notes.push_back(log.file + ": " + std::to_string(without_torque_enable) + messages::kNoTorqueEnable);
-  if (dropped > 0)
-    into.notes.push_back(log.file + ": " + std::to_string(dropped) + " rows whose time does not increase are left out");
+  if (!areFew(late + without_goal, entries.size())) throw BadInput(file + ": `entries` " + messages::kNotBamRow);
+  into.log.load.assign(into.log.rows(), kNotThere);
+  const auto note = [&](std::size_t number, const std::string& what) {
+    if (number > 0) into.notes.push_back(into.log.file + ": " + std::to_string(number) + what);
+  };
+  note(without_torque_enable, messages::kNoTorqueEnable);
+  note(late, " rows whose time does not increase are left out");
+  note(without_goal, " rows without a goal are left out");
+}
+
+/// Python writes NaN and Infinity, which are no JSON, for what is not known.
+std::string withoutNotNumbers(std::string_view json) {
+  std::string out{json};
+  bool in_text = false;
+  for (std::size_t at = 0; at < out.size(); ++at) {
+    if (out[at] == '"' && (at == 0 || out[at - 1] != '\\')) in_text = !in_text;
+    if (in_text) continue;
+    for (const std::string_view word : {"NaN", "-Infinity", "Infinity"})
+      if (out.compare(at, word.size(), word) == 0) out.replace(at, word.size(), "null");
+  }
+  return out;
 }
 
 }  // namespace
 
 BamLog parseBamLog(std::string_view json, const std::string& file, const std::string& name) {
-  const Json parsed = parseJson(json, file);
+  const Json parsed = parseJson(withoutNotNumbers(json), file);
   Fields head{parsed, file, ""};
   BamLog out;
   out.log.file = name + ".csv";
@@ -119,33 +122,13 @@ BamLog parseBamLog(std::string_view json, const std::string& file, const std::st
   out.log.payload_kg = head.number("mass", {"kg", 0, 20});
   out.log.length_m = head.number("length", {"m", 0.005, 2});
   out.log.arm_mass_kg = head.number("arm_mass", {"kg", 0, 20}, 0);
-  if (head.has("vin")) out.log.supply_v = head.number("vin", {"V", 3, 30});
+  if (valueOf(parsed, "vin") > 0) out.log.supply_v = head.number("vin", {"V", 3, 30});  // 0: not known
   const auto entries = parsed.find("entries");
   if (entries == parsed.end() || !entries->is_array() || entries->empty())
     head.fail("entries", std::string{messages::kMissing} + "the rows of the log");
   takeRows(*entries, file, out);
+  dropOddColumns(out);
   return out;
-}
-
-void convertLoads(std::vector<BamLog>& logs) {
-  const bool of_load = !std::ranges::all_of(logs, isAllZero, &BamLog::load);
-  const auto column = of_load ? &BamLog::load : &BamLog::torque;
-  const char* const key = of_load ? "load" : "torque";
-  const LoadRule* const rule = ruleFor(logs, column);
-  for (BamLog& one : logs) {
-    const std::string file = one.log.file + ": ";
-    if (isAllZero(one.*column)) {
-      if (std::ranges::any_of(one.load, [](double value) { return !std::isnan(value); }))
-        one.notes.push_back(file + messages::kLoadIsZero + messages::kNotMeasured);
-      continue;
-    }
-    if (rule == nullptr) {
-      one.notes.push_back(file + key + messages::kLoadNotRecognized);
-      continue;
-    }
-    takeLoad(*rule, one.*column, key, one);
-    if (!of_load) one.notes.back() += "; " + std::string{messages::kLoadIsZero};
-  }
 }
 
 std::string asBamJson(const Case& c, const Trajectory& log, std::string_view motor) {

@@ -25,8 +25,11 @@ struct BamLog {
 /// `name` of the log: the file without its ending. Throws BadInput.
 BamLog parseBamLog(std::string_view json, const std::string& file, const std::string& name);
 
-/// Fills the loads of the logs of one servo. Their unit follows from the columns of all of them: a log of small loads
-/// does not show it. `torque` stands for a load that is 0 everywhere.
+/// Leaves out speed, voltage and temperature that are in another unit.
+void dropOddColumns(BamLog& log);
+
+/// Fills the loads of the logs of one servo. Their unit and sign follow from the columns of all of them: a log of small
+/// loads does not show it. `torque` stands for a load that is 0 everywhere.
 void convertLoads(std::vector<BamLog>& logs);
 
 /// The same format; a value that is not known is left out.

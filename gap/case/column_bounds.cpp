@@ -14,7 +14,7 @@ namespace darwinop::gap {
 namespace {
 
 constexpr double kTwoTurns = 4 * kPi;
-// Loads end at 100 %; some servos report a count more.
+// Registers of load end at 1000 or 1023 counts of 0.1 %.
 const std::array kColumnBounds{
     ColumnBounds{&Trajectory::position_rad,
                  "pos",
@@ -31,7 +31,7 @@ const std::array kColumnBounds{
                  1,
                  {{{2 * kPi / 60, "are these rpm? name the column speed_rpm then"},
                    {kPi / 180, "are these degrees? name the column speed_deg_s then"}}}},
-    ColumnBounds{&Trajectory::load, "load", "%", -1.01, 1.01, 100, {{{100.0 / 2047, messages::kRawCounts}, {0, ""}}}},
+    ColumnBounds{&Trajectory::load, "load", "%", -1.03, 1.03, 100, {{{100.0 / 2047, messages::kRawCounts}, {0, ""}}}},
     ColumnBounds{&Trajectory::volt_v, "volt", "V", 3, 30, 1, {{{0.1, messages::kRawCounts}, {0, ""}}}},
     ColumnBounds{&Trajectory::temp_c, "temp", "degC", -20, 100, 1, {{{0, ""}, {0, ""}}}},
 };

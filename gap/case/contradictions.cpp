@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "gap/case/median.hpp"
 #include "gap/case/messages.hpp"
 
 namespace darwinop::gap {
@@ -17,12 +18,6 @@ constexpr double kRegisterError = 0.05;  // of the voltage: the servo reads it b
 constexpr double kSigmas = 3;
 constexpr double kDutyStep = 0.02;  // of full duty: registers end at 1000 or 1023 counts
 constexpr double kOften = 0.01;     // of the rows
-
-double middleOf(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// The load that a hundredth of the rows exceeds; NaN without load.
 double greatestLoad(const Trajectory& log) {
@@ -69,7 +64,7 @@ double idleVoltage(const Trajectory& log) {
   for (std::size_t row = 0; row < log.rows(); ++row)
     if (!std::isnan(log.volt_v[row]) && (log.torque_on[row] == 0 || std::abs(log.load[row]) < kIdleLoad))
       idle.push_back(log.volt_v[row]);
-  return idle.size() < kFewestRows ? std::numeric_limits<double>::quiet_NaN() : middleOf(idle);
+  return idle.size() < kFewestRows ? std::numeric_limits<double>::quiet_NaN() : medianOf(idle);
 }
 
 std::vector<Contradiction> contradictionsOf(const Case& c) {

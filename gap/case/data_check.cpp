@@ -6,6 +6,7 @@
 
 #include "gap/case/bad_rows.hpp"
 #include "gap/case/excitation.hpp"
+#include "gap/case/median.hpp"
 #include "gap/case/plausible.hpp"
 #include "gap/case/repeat_spread.hpp"
 #include "gap/case/reveals.hpp"
@@ -17,13 +18,6 @@ constexpr double kLost = 1.5;  // periods: a row is missing
 constexpr double kLostShare = 0.01;
 constexpr double kLate = 0.5;  // of a period
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// A host that reads and writes is slower than one that reads, so rows with and without torque have their own period.
 void lookAtTime(const Trajectory& log, LogCheck& out) {
   out.period_s = periodOf(log);
@@ -32,7 +26,7 @@ void lookAtTime(const Trajectory& log, LogCheck& out) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < log.rows(); ++i)
       if (log.torque_on[i] == on) steps.push_back(log.time_s[i] - log.time_s[i - 1]);
-    const double period = median(steps);
+    const double period = medianOf(steps);
     for (const double step : steps) {
       late.push_back(step - period);
       if (step > kLost * period) out.lost_rows += static_cast<std::size_t>(std::lround(step / period)) - 1;

@@ -11,8 +11,8 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kPlain = 0.03;     // of full duty: smaller ones may have either sign, by a step of the encoder
-constexpr double kAlike = 0.25;     // of the duty: a mirrored load is the duty but for its sign
+constexpr double kPlain = 0.03;  // of full duty: smaller ones may have either sign, by a step of the encoder
+constexpr double kAlike = 2.5;  // times the duty: a mirrored load is the duty but for its sign and an error of the gain
 constexpr std::size_t kFew = 50;    // rows; fewer are not enough
 constexpr double kNearlyAll = 0.9;  // of them
 
@@ -29,10 +29,11 @@ void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c
     const double duty = std::clamp(asked, -servo.duty_max, servo.duty_max);
     if (!(std::abs(duty) >= kPlain)) continue;
     ++plain;
-    if (std::abs(log.load[row] + duty) < kAlike * std::abs(duty)) ++mirrored;
+    const double share = -log.load[row] / duty;
+    if (share > 1 / kAlike && share < kAlike) ++mirrored;
   }
   if (plain < kFew || static_cast<double>(mirrored) < kNearlyAll * static_cast<double>(plain)) return;
-  throw BadInput(file + ": load has the size that the position error requires" + messages::kLoadHasOppositeSign +
+  throw BadInput(file + ": load pushes as the position error requires" + messages::kLoadHasOppositeSign +
                  std::to_string(mirrored) + " of " + std::to_string(plain) +
                  " rows. Invert the sign where the log is written; positive is counter-clockwise");
 }

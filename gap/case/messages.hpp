@@ -37,7 +37,8 @@ inline constexpr const char* kLeftOut = "a log is left out: ";
 inline constexpr const char* kKeysHaveUnits = " (in a CSV; keys of BAM are in rad and s, so convert the numbers)";
 inline constexpr const char* kNoBamLogs = "has no *.json; give the folder with the logs of BAM";
 inline constexpr const char* kNoTorqueEnable = " rows have no torque_enable and count as torque on";
-inline constexpr const char* kNotBamRow = "has a row without timestamp or goal_position; is this a raw log of BAM?";
+inline constexpr const char* kNotBamRow =
+    "has rows without timestamp or goal_position, more than a tenth; is this a raw log of BAM?";
 inline constexpr const char* kKeepsAll = ": --keep holds all logs out; leave some to be fitted";
 inline constexpr const char* kNotLogOfFolder = " is none of the usable logs of ";
 inline constexpr const char* kSupplyMeasured = " logs have no `vin`: their supply is what they read without load, ";
@@ -66,6 +67,16 @@ inline constexpr const char* kScheduleOrder =
 inline constexpr const char* kJointNotGiven = "a recording has twenty joints; give the joint of the log";
 inline constexpr const char* kLoadIsZero = "load is 0 in every row";
 inline constexpr const char* kNotMeasured = ", and counts as not measured";
+inline constexpr const char* kLoadHasOtherScale =
+    " times the duty that gain and error ask for: its unit is another, or the gain; it counts as not measured";
+inline constexpr const char* kLoadsMasked = " readings have another unit, or none, and are masked: ";
+inline constexpr const char* kLoadIsMirrored =
+    "the load pushes away from the goal, so that it is taken with the other sign";
+inline constexpr const char* kOtherUnit = " has another unit";
+inline constexpr const char* kZeroInEveryRow = " is 0 in every row";
+inline constexpr const char* kColumnLeftOut = ", and is left out";
+inline constexpr const char* kClockWasSet =
+    "is not later than the entries before; split the log where the clock was set";
 inline constexpr const char* kLoadNotRecognized = " has a unit that was not recognized, and is left out";
 inline constexpr const char* kLoadHasOppositeSign = ", but the opposite sign, in ";
 inline constexpr const char* kManyMasked = " has no usable reading in ";

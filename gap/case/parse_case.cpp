@@ -129,6 +129,7 @@ void checkLog(Trajectory& log, const std::string& file, Case& of) {
   checkUnits(log, file, of);
   checkSensor(log, file, of);
   dropMissingLoad(log, file, of);
+  dropOddLoad(log, file, of);
   checkLoadSign(log, file, of);
 }
 

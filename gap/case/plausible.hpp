@@ -28,6 +28,8 @@ double noLoadSpeed(const Case& c, const Trajectory& log);
 /// A load that is 0 in every row although the control law asks for torque was not measured: it is NaN then, with a
 /// warning.
 void dropMissingLoad(Trajectory& log, const std::string& file, Case& of);
+/// A load of another size than the control law asks for is in another unit, and counts as not measured, with a warning.
+void dropOddLoad(Trajectory& log, const std::string& file, Case& of);
 /// Throws BadInput for a load whose sign is the wrong way round.
 void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c);
 

@@ -16,8 +16,8 @@ namespace {
 constexpr double kWindow = 0.02;                   // s; speeds over less are made of the encoder's steps
 constexpr double kTooFast = 4;                     // times the speed without load
 constexpr double kFallShare = 1.5;                 // of the speed of a free fall from the top
-constexpr double kGridShare = 0.99;                // of the rows
-constexpr std::size_t kGridValues = 10;            // different positions that it takes to see a grid
+constexpr double kUnitGridShare = 0.99;            // of the rows
+constexpr std::size_t kUnitGridValues = 10;        // different positions that it takes to see a grid
 constexpr double kSameStep = 0.02;                 // of a step; a column of turns has 1 / ticks_per_rev
 constexpr double kMoved = 0.02;                    // rad, rms of a motion that can be compared
 constexpr double kSlopeLow = 40, kSlopeHigh = 80;  // about 180 / pi
@@ -70,10 +70,10 @@ void checkGrid(const Trajectory& log, const std::string& file, Case& c) {
   std::vector<double> known = log.position_rad;
   std::erase_if(known, [](double position) { return std::isnan(position); });
   const std::set<double> values{known.begin(), known.end()};
-  if (values.size() < kGridValues) return;
+  if (values.size() < kUnitGridValues) return;
   const double turn = 1.0 / c.model.servo.ticks_per_rev, tick = 2 * kPi * turn;
-  if (shareOnGrid(known, tick) >= kGridShare) return;
-  if (shareOnGrid(known, 360 * turn) >= kGridShare)
+  if (shareOnGrid(known, tick) >= kUnitGridShare) return;
+  if (shareOnGrid(known, 360 * turn) >= kUnitGridShare)
     throw BadInput(file + ": pos goes in steps of " + three(360 * turn) +
                    ", which are the encoder's in degrees; name the column pos_deg, and goal_deg likewise");
   const std::optional<double> step = commonStep(known);

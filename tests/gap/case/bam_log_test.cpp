@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 
 #include "gap/case/bam_text.hpp"
@@ -73,6 +74,97 @@ TEST(BamLog, TheUnitOfALoadIsThatOfTheWholeFolder) {
   EXPECT_THAT(loads({"1"}), ElementsAre(testing::DoubleNear(0.001, 1e-12))) << "a share is a fraction somewhere";
   EXPECT_THAT(loads({"1", "0.25"}), ElementsAre(1, 0.25));
   EXPECT_THAT(loads({"0.25", "250"}), ElementsAre(testing::IsNan(), testing::IsNan())) << "two units";
+}
+
+TEST(BamLog, AFewFalseReadingsDecideNoUnitAndAreMasked) {
+  const auto loads = [](const char* one, const char* other, const char* false_one) {
+    return parsed(bamText([&](int i) { return i == 77 ? false_one : i < 100 ? one : other; }, zero));
+  };
+  for (const auto& [one, other, false_one] : std::vector<std::array<const char*, 3>>{
+           {"250", "1274", "65535"}, {"250", "1274", "3000"}, {"0.25", "-0.25", "1.5"}}) {
+    const BamLog read = loads(one, other, false_one);
+    EXPECT_NEAR(read.log.load[0], 0.25, 1e-12) << false_one;
+    EXPECT_NEAR(read.log.load[150], -0.25, 1e-12) << false_one;
+    EXPECT_TRUE(std::isnan(read.log.load[77])) << false_one;
+    EXPECT_THAT(read.notes, testing::Contains(HasSubstr(std::string{"1"} + messages::kLoadsMasked))) << false_one;
+  }
+}
+
+TEST(BamLog, FullDutyEndsAt1023CountsWhereReadingsGoThere) {
+  const auto load = [](const char* one, const char* other) {
+    return parsed(bamText([&](int i) { return i < 100 ? one : other; }, zero)).log.load;
+  };
+  EXPECT_NEAR(load("1023", "2047")[0], 1, 1e-12);
+  EXPECT_NEAR(load("1023", "2047")[150], -1, 1e-12);
+  EXPECT_NEAR(load("1.023", "-0.5115")[0], 1, 1e-12);
+  EXPECT_NEAR(load("1.023", "-0.5115")[150], -0.5, 1e-12);
+  EXPECT_NEAR(load("102.3", "-51.15")[150], -0.5, 1e-12);
+  EXPECT_NEAR(load("312.5", "-250.5")[150], -0.2505, 1e-12) << "resampled counts";
+}
+
+TEST(BamLog, ALoadThatPushesAwayFromTheGoalIsMirrored) {
+  const BamLog usual = parsed(bamText(zero, zero));
+  const auto withGain = [&](double gain) {
+    return parsed(bamText(
+        [&](int i) {
+          const auto row = static_cast<std::size_t>(i);
+          return std::to_string(gain * (usual.log.goal_rad[i == 0 ? 0 : row - 1] - usual.log.position_rad[row]));
+        },
+        zero));
+  };
+  const BamLog away = withGain(-5), towards = withGain(5);
+  EXPECT_EQ(away.log.load, towards.log.load);
+  EXPECT_THAT(away.notes, testing::Contains(HasSubstr(messages::kLoadIsMirrored)));
+  EXPECT_THAT(towards.notes, testing::Not(testing::Contains(HasSubstr(messages::kLoadIsMirrored))));
+}
+
+/// The text of a log with one of its words replaced, in the first entry that has it.
+std::string changed(std::string text, const std::string& from, const std::string& to, bool everywhere = false) {
+  for (std::size_t at = text.find(from); at != text.npos; at = everywhere ? text.find(from, at + to.size()) : text.npos)
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+TEST(BamLog, LoneRowsThatCannotBeUsedAreLeftOut) {
+  const std::string text = bamText(zero, zero);
+  const auto read = [](const std::string& changed_text) { return parsed(changed_text).log; };
+  EXPECT_EQ(read(changed(text, "\"timestamp\": 1.000000", "\"timestamp\": 1000")).rows(), 199u) << "a lone false time";
+  EXPECT_EQ(read(changed(text, "\"timestamp\": 1.000000", "\"timestamp\": null")).rows(), 199u);
+  const std::string with_nan = changed(text, "\"goal_position\": 0.018746", "\"goal_position\": NaN");
+  ASSERT_TRUE(with_nan != text);
+  EXPECT_EQ(read(with_nan).rows(), 199u);
+  const Trajectory limp = read(changed(changed(text, "\"torque_enable\": true", "\"torque_enable\": false", true),
+                                       "\"goal_position\": 0.018746", "\"goal_position\": null"));
+  ASSERT_EQ(limp.rows(), 200u) << "a limp row needs no goal";
+  for (std::size_t row = 1; row < limp.rows(); ++row) ASSERT_FALSE(std::isnan(limp.goal_rad[row]));
+  EXPECT_TRUE(std::isnan(read(changed(text, "\"input_volts\": 12.1", "\"input_volts\": -Infinity")).volt_v[0]));
+}
+
+TEST(BamLog, AClockThatWasSetMakesTwoLogs) {
+  std::string text = bamText(zero, zero);
+  for (int i = 120; i < 200; ++i)
+    text = changed(text, "\"timestamp\": " + std::to_string(0.0125 * i),
+                   "\"timestamp\": " + std::to_string(0.0125 * i - 0.5));
+  try {
+    (void)parseBamLog(text, "a.json", "a");
+    FAIL() << "spliced";
+  } catch (const BadInput& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr(messages::kClockWasSet));
+  }
+}
+
+TEST(BamLog, AColumnInAnotherUnitIsLeftOutAndTheLogStays) {
+  const std::string text = bamText(zero, zero);
+  const auto left_out = [&](const std::string& from, const std::string& to) {
+    const BamLog read = parsed(changed(text, from, to, true));
+    EXPECT_EQ(read.log.rows(), 200u) << to;
+    EXPECT_THAT(read.notes, testing::Contains(HasSubstr(messages::kColumnLeftOut))) << to;
+    return read.log;
+  };
+  EXPECT_TRUE(std::isnan(left_out("\"speed\": 0", "\"speed\": 12.5").speed_rad_s[9])) << "rpm";
+  EXPECT_TRUE(std::isnan(left_out("\"speed\": 0", "\"speed\": 1500").speed_rad_s[9])) << "counts";
+  EXPECT_TRUE(std::isnan(left_out("\"input_volts\": 12.1", "\"input_volts\": 0").volt_v[9]));
+  EXPECT_TRUE(std::isnan(left_out("\"input_volts\": 12.1", "\"input_volts\": 121").volt_v[9]));
 }
 
 TEST(BamLog, OnlyTwosComplementIsTheDutyOfAnXSeries) {

@@ -26,6 +26,24 @@ TEST(LoadErrors, ALoadWithTheOppositeSign) {
   EXPECT_THAT(saturated(-100).error(), HasSubstr(messages::kLoadHasOppositeSign));
 }
 
+TEST(LoadErrors, TheOppositeSignShowsWithAGainThatIsOffByTwo) {
+  EXPECT_THAT(saturated(-50).error(), HasSubstr(messages::kLoadHasOppositeSign));
+}
+
+TEST(LoadErrors, ALoadInAnotherUnitIsNotMeasured) {
+  const auto with = [](double factor) {
+    std::vector<CsvRow> rows = sineRows();
+    for (CsvRow& row : rows) row.pos *= 0.9, row.load *= factor;
+    return CaseTexts{}.with(rows).read();
+  };
+  for (const double factor : {0.01, 0.1}) {
+    const Case read = with(factor);
+    EXPECT_TRUE(std::isnan(read.logs[0].load[100])) << factor;
+    EXPECT_THAT(read.warnings, testing::Contains(HasSubstr(messages::kLoadHasOtherScale))) << factor;
+  }
+  for (const double factor : {0.5, 1.0, 2.0}) EXPECT_FALSE(std::isnan(with(factor).logs[0].load[100])) << factor;
+}
+
 TEST(LoadErrors, ALoadOfZeroWhereTorqueIsAskedForIsNotMeasured) {
   const auto zeroes = [](double late, double on, double first = 0) {
     std::vector<CsvRow> rows = sineRows();

@@ -52,7 +52,7 @@ TEST(LogErrors, AReadFollowsItsWrite) {
 
 TEST(LogErrors, RangesOfTheColumns) {
   EXPECT_EQ(errorFrom102With(&CsvRow::load, 101), "");
-  EXPECT_THAT(errorFrom102With(&CsvRow::load, 101.2), inLine102("load is 101.2 %"));
+  EXPECT_THAT(errorFrom102With(&CsvRow::load, 103.2), inLine102("load is 103.2 %"));
   EXPECT_EQ(errorFrom102With(&CsvRow::volt, 3), "");
   EXPECT_THAT(errorFrom102With(&CsvRow::volt, 2.9), inLine102("volt is 2.9 V"));
   EXPECT_EQ(errorFrom102With(&CsvRow::volt, 30), "");
@@ -153,7 +153,7 @@ std::string errorOfAStandstill(double from_pct, double to_pct, double speed) {
 }
 
 TEST(LogErrors, ASensorThatStopsForAWhile) {
-  EXPECT_EQ(errorOfAStandstill(10, 90, 0), "");  // friction, and a push one way
+  EXPECT_EQ(errorOfAStandstill(-10, -90, 0), "");  // friction, and a push one way
   EXPECT_EQ(errorOfAStandstill(-35, 90, 0), "");
   const std::string both = errorOfAStandstill(-45, 90, 0);
   EXPECT_THAT(both, AllOf(StartsWith("my/fit_1.csv, line "), HasSubstr(messages::kStuckDespiteLoad)));
