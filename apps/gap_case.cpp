@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gap/case/bam_log.hpp"
+#include "gap/case/grouped_notes.hpp"
 #include "gap/case/robot/joint_case.hpp"
 #include "gap/case/write_case.hpp"
 #include "gap/report/data_hash.hpp"

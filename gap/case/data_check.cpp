@@ -6,6 +6,7 @@
 
 #include "gap/case/bad_rows.hpp"
 #include "gap/case/excitation.hpp"
+#include "gap/case/grouped_notes.hpp"
 #include "gap/case/median.hpp"
 #include "gap/case/plausible.hpp"
 #include "gap/case/repeat_spread.hpp"
@@ -75,6 +76,7 @@ DataCheck checkData(const Case& c) {
     if (log.repeat_of && !copies[i]) out.has_repeats = true;
     out.logs.push_back(std::move(check));
   }
+  out.warnings = grouped(out.warnings);
   out.repeats_rad = repeatSpread(c).rms_rad();
   out.findings = reveals(out, c);
   return out;

@@ -1,9 +1,10 @@
 // The same note about many logs as one.
+#include "gap/case/grouped_notes.hpp"
+
 #include <algorithm>
 #include <cctype>
 
 #include "gap/case/messages.hpp"
-#include "gap/case/raw_folder.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "gap/case/bad_rows.hpp"
+#include "gap/case/grouped_notes.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 #include "gap/case/plausible.hpp"
@@ -174,6 +175,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
                            "cannot be seen then");
   checkRepeats(out);
   smoothTemperatures(out);
+  out.warnings = grouped(out.warnings);
   return out;
 }
 

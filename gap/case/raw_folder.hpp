@@ -61,9 +61,6 @@ inline constexpr std::size_t kMostFitLogs = 12, kMostHeldOutLogs = 6;
 /// Moves what exceeds that to the others of the case: kept are those that differ most in bench, gain and goals.
 void chooseLogs(FolderCase& in);
 
-/// Notes that say the same of several logs as one, with their number.
-std::vector<std::string> grouped(const std::vector<std::string>& notes);
-
 /// How well a data sheet and a scale know a bench: the maker's torque to a tenth, winding and gear worse.
 std::vector<Prior> benchPriors();
 

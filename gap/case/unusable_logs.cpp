@@ -1,5 +1,6 @@
 // Logs of a raw folder that cannot be used.
 #include "gap/case/bad_rows.hpp"
+#include "gap/case/grouped_notes.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/raw_folder.hpp"
 

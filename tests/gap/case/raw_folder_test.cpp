@@ -1,11 +1,14 @@
 // Folders of many raw logs: what they are, which are searched, and what is noted.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <utility>
 
 #include "gap/case/case_texts.hpp"
+#include "gap/case/data_check.hpp"
+#include "gap/case/grouped_notes.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/raw_folder_rig.hpp"
 #include "gap/case/write_case.hpp"
@@ -45,6 +48,20 @@ TEST_F(RawFolderTest, TheOthersStayInTheCase) {
   EXPECT_EQ(back.others[0].file, chosen.given.others[0].file);
   EXPECT_EQ(back.others[0].rows(), 200u);
   EXPECT_EQ(back.logs.size(), chosen.given.logs.size());
+}
+
+TEST_F(RawFolderTest, WhatIsOddAboutEveryLogIsSaidOnce) {
+  for (int i = 0; i < 20; ++i)
+    addLog("a" + std::to_string(100 + i), 8, "0.5");  // positions between the encoder's steps
+  writeCase(read().given, out / "case");
+  const Case back = readCase(out / "case");
+  for (const std::vector<std::string>& warnings : {back.warnings, checkData(back).warnings}) {
+    const auto off_grid =
+        std::ranges::count_if(warnings, [](const std::string& one) { return one.find("encoder") != one.npos; });
+    EXPECT_EQ(off_grid, 1);
+    EXPECT_LE(warnings.size(), 4u);
+    EXPECT_THAT(warnings, testing::Contains(HasSubstr("19 more logs")));
+  }
 }
 
 TEST_F(RawFolderTest, JsonBesideCsvsIsBamIfItHasEntriesOrBamIsGiven) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gap/case/case_texts.hpp"
+#include "gap/case/grouped_notes.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/raw_folder_rig.hpp"
 
