@@ -1,4 +1,4 @@
-// The checks of a case's logs, on BAM logs: what is wrong is said of the JSON file and its entry, not of a CSV.
+// The checks of a case's logs, on BAM logs: reasons name the JSON file and its entry, not a CSV.
 #include <algorithm>
 #include <filesystem>
 

@@ -26,9 +26,10 @@ std::string patternOf(const std::string& note) {
   if (said.size() == note.size()) return note;
   std::string pattern = note.starts_with(messages::kLeftOut) ? messages::kLeftOut : "";
   for (std::size_t i = 0; i < said.size();) {
-    const bool is_number = std::isdigit(static_cast<unsigned char>(said[i])) != 0;
+    const std::size_t digit = said[i] == '-' ? i + 1 : i;
+    const bool is_number = digit < said.size() && std::isdigit(static_cast<unsigned char>(said[digit])) != 0;
     pattern += is_number ? '#' : said[i];
-    i = is_number ? std::min(said.find_first_not_of("0123456789.", i), said.size()) : i + 1;
+    i = is_number ? std::min(said.find_first_not_of("0123456789.", digit), said.size()) : i + 1;
   }
   return pattern;
 }

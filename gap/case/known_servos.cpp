@@ -70,7 +70,7 @@ SheetNumber armatureOf(const ServoModel& model, const twin::ServoParameters& mx2
           .value = mx28.armature_kgm2 * scale,
           .relative_sigma = kArmatureSigma,
           .unless = {"armature_kgm2"},
-          .source = "not on the data sheet: assumed, by the run-up time of an MX-28"};
+          .source = messages::kNotOnSheet};
 }
 
 std::vector<SheetNumber> gainOf(bool protocol_2) {

@@ -54,6 +54,7 @@ inline constexpr const char* kNotDeclarable = "cannot be declared";  // then a s
 inline constexpr const char* kNoGoalOfJoint = "there is no goal of joint ";
 inline constexpr const char* kOfCsv = "is for CSVs: BAM's logs contain their own; correct those";
 inline constexpr const char* kDecimalComma = "has a comma; write the number with a decimal point, as in 2.4";
+inline constexpr const char* kNotOnSheet = "not on the data sheet: assumed, by the run-up time of an MX-28";
 inline constexpr const char* kSheetNumber = "; --declare replaces it";
 inline constexpr const char* kNoCsvs = "has no *.csv; give the folder with the logs";
 inline constexpr const char* kNotKeyValue = "is not KEY=VALUE, as in --declare kp=32";

@@ -56,7 +56,7 @@ TEST_F(KnownServos, AnMx106NeedsNoDeclaration) {
   EXPECT_TRUE(read.given.model.effects.empty()) << "friction of an MX-28";
   for (const char* const key : {"stall_Nm_at_12V=8.4", "stall_A_at_12V=5.2", "kt_Nm_A=", "duty_per_kp_per_rad=0.158"})
     EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr(key), HasSubstr(messages::kSheetNumber))));
-  EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr("armature_kgm2"), HasSubstr("not on the data sheet"))));
+  EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr("armature_kgm2"), HasSubstr(messages::kNotOnSheet))));
   writeCase(read.given, out / "case");
   const Case back = readCase(out / "case");
   EXPECT_EQ(back.model.servo.kt_nm_a, servo.kt_nm_a);

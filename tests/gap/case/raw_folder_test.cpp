@@ -50,7 +50,7 @@ TEST_F(RawFolderTest, TheOthersStayInTheCase) {
   EXPECT_EQ(back.logs.size(), chosen.given.logs.size());
 }
 
-TEST_F(RawFolderTest, WhatIsOddAboutEveryLogIsSaidOnce) {
+TEST_F(RawFolderTest, WhatIsOddAboutEveryLogIsReportedOnce) {
   for (int i = 0; i < 20; ++i)
     addLog("a" + std::to_string(100 + i), 8, "0.5");  // positions between the encoder's steps
   writeCase(read().given, out / "case");
@@ -113,7 +113,7 @@ TEST(Grouped, SaysTheSameOfSeveralLogsOnce) {
 TEST(Grouped, NumbersOfEachLogAreItsOwn) {
   const std::string left_out = messages::kLeftOut;
   const std::vector<std::string> notes{left_out + "x/a.json, line 12: a hole of 0.6 s", "x/b.csv: a hole of 3 s",
-                                       left_out + "x/c.json, line 7: a hole of 12.5 s", "2 of 8 logs", "3 of 8 logs"};
+                                       left_out + "x/c.json, line 7: a hole of -12.5 s", "2 of 8 logs", "3 of 8 logs"};
   const std::vector<std::string> short_notes = grouped(notes);
   ASSERT_EQ(short_notes.size(), 4u) << "what is left out is not what is odd";
   EXPECT_THAT(short_notes[0], testing::AllOf(testing::StartsWith(notes[0]), HasSubstr("1 more log, each")));

@@ -1,4 +1,4 @@
-// Raw logs that cannot be used: which are left out, and what is said of them.
+// Raw logs that cannot be used: which are left out, and what is reported of them.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ std::string withWildGoal(int row) {
   return replaced(text, goal, "\"goal_position\": 100");
 }
 
-TEST_F(UnusableLogs, WhatIsWrongIsSaidOfTheEntryOfAJsonFile) {
+TEST_F(UnusableLogs, WhatIsWrongIsReportedOfTheEntryOfAJsonFile) {
   for (int i = 0; i < 4; ++i) addLog("a" + std::to_string(i), 8, "0.5");
   write(folder / "wild.json", withWildGoal(150));
   EXPECT_THAT(read().notes, Contains(testing::AllOf(HasSubstr(folder / "wild.json, entries[150]: goal is 100 rad"),
