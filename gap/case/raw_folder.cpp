@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gap/case/bam_log.hpp"
+#include "gap/case/contradictions.hpp"
 #include "gap/case/folder_files.hpp"
 #include "gap/case/known_servos.hpp"
 #include "gap/case/messages.hpp"
@@ -109,6 +110,7 @@ FolderCase readRawFolder(const RawFolder& request) {
   noteUnusable(out);
   holdOut(request.held_out, out);
   if (!request.all_logs) chooseLogs(out);
+  for (const Contradiction& found : contradictionsOf(out.given)) out.notes.push_back(asSentence(found));
   return out;
 }
 

@@ -105,6 +105,17 @@ TEST_F(DeclaredFolder, ASupplyThatIsNotDeclaredIsMeasuredOrAskedFor) {
   }
 }
 
+TEST_F(DeclaredFolder, ASupplyThatTheVoltagesContradictIsNoted) {
+  const std::string idle = bamText([](int) { return "12"; }, zero, "\"kp\": 8, \"motor\": \"mx28\"");
+  const auto notesOf = [&](const std::string& log) {
+    write(folder / "a.json", log);
+    return readRawFolder({.folder = folder / "", .model = "", .declared = {}, .held_out = {}}).notes;
+  };
+  const auto is_noted = Contains(testing::AllOf(HasSubstr("supply_V"), HasSubstr(messages::kContradicted)));
+  EXPECT_THAT(notesOf(idle), testing::Not(is_noted));
+  EXPECT_THAT(notesOf(replaced(idle, "\"vin\": 12", "\"vin\": 15")), is_noted);
+}
+
 TEST_F(DeclaredFolder, AnotherMotorIsDeclaredInFull) {
   write(folder / "a.json", bamText(zero, zero, kUnknownMotor));
   const auto declaring = [&](const std::vector<std::string>& words) -> std::string {
