@@ -1,10 +1,8 @@
 // A folder of BAM logs as a case.
 #include <filesystem>
-#include <set>
 
 #include "gap/case/bam_log.hpp"
 #include "gap/case/folder_files.hpp"
-#include "gap/case/known_servos.hpp"
 #include "gap/case/messages.hpp"
 #include "hal/text_file.hpp"
 
@@ -12,7 +10,7 @@ namespace darwinop::gap {
 
 namespace fs = std::filesystem;
 
-FolderCase readBamFolder(const std::string& folder, const std::string& model) {
+FolderCase readBamFolder(const std::string& folder, const std::string& model, const Declarations& declared) {
   FolderCase out;
   Case& c = out.given;
   try {
@@ -26,7 +24,6 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model) {
   c.model.name = c.name;
   c.goal_order = GoalOrder::kBeforeRead;
   c.priors = benchPriors();
-  std::set<std::string> motors;
   std::vector<BamLog> logs;
   const std::vector<fs::path> files = filesEndingWith(folder, ".json");
   if (files.empty()) throw BadInput(folder + ": " + messages::kNoBamLogs);
@@ -34,13 +31,12 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model) {
     try {
       const std::optional<std::string> text = readTextFile(path.string(), kLongestBamLog);
       logs.push_back(parseBamLog(text.value_or(""), path.string(), path.stem().string()));
-      motors.insert(motorName(logs.back().motor));
     } catch (const std::runtime_error& error) {
       out.unusable.emplace_back(error.what());
     }
   }
   if (logs.empty()) refuseUnusable(out);
-  if (motors.size() > 1) throw BadInput(folder + ": " + messages::kSeveralMotors);
+  out.motor = keepOneMotor(declared.text("motor"), folder, logs, out.notes);
   convertLoads(logs);
   for (BamLog& log : logs) {
     out.notes.insert(out.notes.end(), log.notes.begin(), log.notes.end());
@@ -49,7 +45,6 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model) {
   c.pendulum.length_m = *c.logs.front().length_m;
   c.pendulum.arm_mass_kg = *c.logs.front().arm_mass_kg;
   if (c.logs.front().supply_v) c.model.servo.supply_v = *c.logs.front().supply_v;  // else takeSupply()
-  out.motor = *motors.begin();
   return out;
 }
 

@@ -35,9 +35,14 @@ void convertLoads(std::vector<BamLog>& logs);
 /// The same format; a value that is not known is left out.
 std::string asBamJson(const Case& c, const Trajectory& log, std::string_view motor);
 
+/// Leaves the logs of one motor: the declared one, else the one of nine in ten. A declared one is also that of logs
+/// without a name, or of all if they have one name. Returns it. Throws BadInput.
+std::string keepOneMotor(const std::optional<std::string>& declared, const std::string& folder,
+                         std::vector<BamLog>& logs, std::vector<std::string>& notes);
+
 /// All *.json of a folder, by name, as a case whose servo is that of a model file, or of a shipped model's name. Throws
 /// BadInput.
-FolderCase readBamFolder(const std::string& folder, const std::string& model);
+FolderCase readBamFolder(const std::string& folder, const std::string& model, const Declarations& declared);
 
 /// Reads the logs again with what is declared of them, and leaves out those that cannot be used.
 void checkBamLogs(const Declarations& declared, FolderCase& in);

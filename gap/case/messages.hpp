@@ -42,7 +42,8 @@ inline constexpr const char* kNotBamRow =
 inline constexpr const char* kKeepsAll = ": --keep holds all logs out; leave some to be fitted";
 inline constexpr const char* kNotLogOfFolder = " is none of the usable logs of ";
 inline constexpr const char* kSupplyMeasured = " logs have no `vin`: their supply is what they read without load, ";
-inline constexpr const char* kSeveralMotors = "logs of several motors; put each into a folder of its own";
+inline constexpr const char* kSeveralMotors = "logs of several motors; take one with --declare motor=...: ";
+inline constexpr const char* kOtherMotors = "logs of other motors are left aside: ";
 
 // folders of raw logs
 inline constexpr const char* kArmatureAssumed =
@@ -57,6 +58,7 @@ inline constexpr const char* kDecimalComma = "has a comma; write the number with
 inline constexpr const char* kNotOnSheet = "not on the data sheet: assumed, by the run-up time of an MX-28";
 inline constexpr const char* kSheetNumber = "; --declare replaces it";
 inline constexpr const char* kNoCsvs = "has no *.csv; give the folder with the logs";
+inline constexpr const char* kOfBam = "is for BAM's logs; declare the numbers of its data sheet";
 inline constexpr const char* kNotKeyValue = "is not KEY=VALUE, as in --declare kp=32";
 inline constexpr const char* kSeveralValues = "has several values; cut the log where it changes";
 inline constexpr const char* kUnitLeftOut = "has a unit that is not known, and is left out";

@@ -36,7 +36,7 @@ FolderCase fromBam(const RawFolder& request, Declarations declared) {
   if (!declared.encodings().empty())
     throw BadInput("--declare " + declared.encodings().begin()->first + " " + messages::kOfCsv);
   const std::string model = request.model.empty() ? kOwnServo : request.model;
-  FolderCase out = readBamFolder(request.folder, model);
+  FolderCase out = readBamFolder(request.folder, model, declared);
   std::string missing = takeSupply(declared, out);
   if (request.model.empty()) missing += takeSheet(declared, out);
   if (!missing.empty()) throw BadInput(request.folder + messages::kNotDeclared + missing);
@@ -55,6 +55,7 @@ FolderCase fromBam(const RawFolder& request, Declarations declared) {
 }
 
 FolderCase fromCsv(const RawFolder& request, const Declarations& declared) {
+  if (declared.text("motor")) throw BadInput(std::string{"--declare motor "} + messages::kOfBam);
   twin::Model model;
   try {
     model = twin::readModel(twin::findModel(request.model.empty() ? kOwnServo : request.model));

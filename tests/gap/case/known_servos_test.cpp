@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "gap/case/messages.hpp"
 #include "gap/case/raw_folder_rig.hpp"
@@ -61,6 +62,34 @@ TEST_F(KnownServos, AnMx106NeedsNoDeclaration) {
   const Case back = readCase(out / "case");
   EXPECT_EQ(back.model.servo.kt_nm_a, servo.kt_nm_a);
   EXPECT_EQ(sigmaOf(back, "armature"), 1);
+}
+
+TEST_F(KnownServos, OfSeveralMotorsOneIsDeclaredOrHasNearlyAllLogs) {
+  addMotor("a", "mx106");
+  addMotor("b", "mx64");
+  try {
+    (void)declaring({});
+    ADD_FAILURE();
+  } catch (const BadInput& refused) {
+    EXPECT_THAT(refused.what(), AllOf(HasSubstr(messages::kSeveralMotors), HasSubstr("mx106 (1), mx64 (1)")));
+  }
+  write(folder / "c.json", bamText(zero, zero, "\"kp\": 8"));
+  const FolderCase chosen = declaring({"motor=MX-64"});
+  EXPECT_EQ(chosen.motor, "mx64");
+  EXPECT_EQ(chosen.given.logs.size(), 2u) << "and the one without a name";
+  EXPECT_THAT(chosen.notes, Contains(AllOf(HasSubstr(messages::kOtherMotors), HasSubstr("mx106 (1)"))));
+  EXPECT_THROW((void)declaring({"motor=mx28"}), BadInput) << "none of them";
+  std::filesystem::remove(folder / "c.json");
+  for (int i = 0; i < 8; ++i) addMotor("d" + std::to_string(i), "mx64");
+  const FolderCase nearly = declaring({});
+  EXPECT_EQ(nearly.motor, "mx64");
+  EXPECT_EQ(nearly.given.logs.size(), 9u);
+}
+
+TEST_F(KnownServos, ADeclaredMotorIsThatOfLogsWithAnotherName) {
+  addMotor("a", "shoulder");
+  EXPECT_THROW((void)declaring({}), BadInput);
+  EXPECT_NEAR(declaring({"motor=mx64"}).given.model.servo.resistance_ohm, 12 / 4.1, 1e-9);
 }
 
 TEST_F(KnownServos, AnMx64IsAnotherOne) {
