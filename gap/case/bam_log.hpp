@@ -47,7 +47,7 @@ FolderCase readBamFolder(const std::string& folder, const std::string& model, co
 /// Reads the logs again with what is declared of them, and leaves out those that cannot be used.
 void checkBamLogs(const Declarations& declared, FolderCase& in);
 
-/// Gives logs without `vin` the declared supply, else the voltage that they read without load, with a note. Returns
-/// what has to be declared; empty: nothing. Throws BadInput for a declared supply where all logs have theirs.
+/// Gives all logs the declared supply, else those without `vin` the voltage that they read without load, with a note.
+/// Returns what has to be declared; empty: nothing.
 std::string takeSupply(const Declarations& declared, FolderCase& in);
 }  // namespace darwinop::gap

@@ -27,17 +27,27 @@ struct Measured {
   double idle_v;  // NaN: it does not show it
 };
 
+/// A log whose `vin` is wrong cannot be corrected otherwise: there may be hundreds.
+void takeDeclared(double supply_v, FolderCase& in) {
+  const auto others = std::ranges::count_if(
+      in.given.logs, [&](const Trajectory& log) { return log.supply_v && *log.supply_v != supply_v; });
+  for (Trajectory& log : in.given.logs) log.supply_v = supply_v;
+  in.given.model.servo.supply_v = supply_v;
+  if (others > 0)
+    in.notes.push_back("the declared supply, " + volts(supply_v) + messages::kReplacesVin + std::to_string(others) +
+                       " logs");
+}
+
 }  // namespace
 
 std::string takeSupply(const Declarations& declared, FolderCase& in) {
+  if (const std::optional<double> supply_v = declared.number("supply_V")) {
+    takeDeclared(*supply_v, in);
+    return "";
+  }
   std::vector<Measured> without;
   for (Trajectory& log : in.given.logs)
     if (!log.supply_v) without.push_back({.log = &log, .idle_v = idleVoltage(log)});
-  if (const std::optional<double> supply_v = declared.number("supply_V")) {
-    if (without.empty()) throw BadInput(std::string{"--declare supply_V "} + messages::kOfCsv);
-    in.given.model.servo.supply_v = *supply_v;  // of the logs without one
-    return "";
-  }
   if (without.empty()) return "";
   std::vector<double> known;
   for (const Measured& one : without)

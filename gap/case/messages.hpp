@@ -41,6 +41,7 @@ inline constexpr const char* kNotBamRow =
     "has rows without timestamp or goal_position, more than a tenth; is this a raw log of BAM?";
 inline constexpr const char* kKeepsAll = ": --keep holds all logs out; leave some to be fitted";
 inline constexpr const char* kNotLogOfFolder = " is none of the usable logs of ";
+inline constexpr const char* kReplacesVin = ", counts in place of another `vin` in ";
 inline constexpr const char* kSupplyMeasured = " logs have no `vin`: their supply is what they read without load, ";
 inline constexpr const char* kSeveralMotors = "logs of several motors; take one with --declare motor=...: ";
 inline constexpr const char* kOtherMotors = "logs of other motors are left aside: ";
