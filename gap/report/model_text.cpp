@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/text/letter_case.hpp"
 #include "core/text/nearest.hpp"
 #include "core/text/number_text.hpp"
 #include "twin/model/keys.hpp"
@@ -34,11 +35,12 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
-/// "kt" of "kt = 1.786 N m/A"; empty: no pair.
-std::string_view keyIn(std::string_view line) {
-  const std::size_t equals = line.find('=');
-  return equals == std::string_view::npos || trimmed(line).starts_with(';') ? std::string_view{}
-                                                                            : trimmed(line.substr(0, equals));
+/// "kt" of "Kt = 1.786 N m/A" or "kt: 1.786 N m/A"; empty: no pair.
+std::string keyIn(std::string_view line) {
+  const std::size_t end = line.find_first_of("=:");
+  const std::string_view said = trimmed(line);
+  if (end == std::string_view::npos || said.starts_with(';') || said.starts_with('#')) return {};
+  return text::lowered(trimmed(line.substr(0, end)));
 }
 
 /// Of the line "[link armlowerr]  ; comment": "link ArmLowerR"; empty: an effect.

@@ -83,17 +83,24 @@ Json priorsOf(const twin::Model& model, Joint joint) {
   return priors;
 }
 
-Json logOf(const Part& part, Joint joint, double length_m) {
+/// File of a part in the case: unique, as recordings of two folders may have one name.
+std::string nameOf(const Part& part, std::size_t number) {
+  return fs::path{part.file}.stem().string() + "_" + std::to_string(number + 1) + ".csv";
+}
+
+Json logOf(const Part& part, std::size_t number, Joint joint, double length_m) {
   const double payload = part.pendulum.weight_nm / twin::Pendulum{}.gravity_m_s2 / length_m;
-  return {{"file", part.file},
-          {"role", part.held_out ? "held_out" : "fit"},
-          {"trajectory", part.kind},
-          {"joint", kJointTable[static_cast<std::size_t>(joint)].name},
-          {"from_s", part.what.from_s},
-          {"to_s", part.what.to_s},
-          {"hangs_at_rad", part.pendulum.hangs_at_rad},
-          {"payload_kg", payload},
-          {"t0_session_s", part.zero_s + part.what.from_s}};
+  Json log = {{"file", nameOf(part, number)},
+              {"role", part.held_out ? "held_out" : "fit"},
+              {"trajectory", part.kind},
+              {"joint", kJointTable[static_cast<std::size_t>(joint)].name},
+              {"from_s", part.what.from_s},
+              {"to_s", part.what.to_s},
+              {"hangs_at_rad", part.pendulum.hangs_at_rad},
+              {"payload_kg", payload},
+              {"t0_session_s", part.zero_s + part.what.from_s}};
+  if (part.what.supply_v > 0) log["supply_V"] = part.what.supply_v;  // a battery's falls in a session
+  return log;
 }
 
 }  // namespace
@@ -110,11 +117,12 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
                {"arm", {{"arm_mass_kg", 0.0}, {"length_m", length_m}}},
                {"prior_rel_sigma", priorsOf(model, request.joint)},
                {"logs", Json::array()}};
-  for (const Part& part : parts) json["logs"].push_back(logOf(part, request.joint, length_m));
+  for (std::size_t i = 0; i < parts.size(); ++i) json["logs"].push_back(logOf(parts[i], i, request.joint, length_m));
   const CaseFiles files{.log =
                             [&](const std::string& name) {
-                              const auto part = std::ranges::find(parts, name, &Part::file);
-                              return logs::readLog(part->source);
+                              std::size_t i = 0;
+                              while (nameOf(parts[i], i) != name) ++i;
+                              return logs::readLog(parts[i].source);
                             },
                         .model = [&](const std::string&) { return model; }};
   Case made = parseCase(json.dump(), (fs::path{folder} / "case.json").string(), files);
@@ -125,7 +133,6 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
     // in it a period too early or too late, like an effect.
     if (!made.logs[i].isReadAfterWrite())
       std::ranges::fill(made.logs[i].load, std::numeric_limits<double>::quiet_NaN());
-    made.logs[i].file = fs::path{parts[i].file}.stem().string() + "_" + std::to_string(i + 1) + ".csv";
     done.push_back(sentence(parts[i], made.logs[i].file));
   }
   writeCase(made, folder);

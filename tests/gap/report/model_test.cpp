@@ -86,6 +86,11 @@ TEST(ServoNumber, ChangesItsLineAndNoOther) {
 }
 
 TEST(ServoNumber, OfAnUnknownNameIsRefused) {
+  // As models.md allows: any case, and a colon.
+  EXPECT_EQ(
+      twin::parseModel(withNumber("[model]\nname = a\n[servo]\nKT: 1.5 N m/A\n# kt = 2\n", "servo", "kt", 1.75), "a")
+          .servo.kt_nm_a,
+      1.75);
   EXPECT_THAT(sentenceOf([] { withNumber(kModel, "servo", "ktt", 1.75); }), HasSubstr("did you mean kt?"));
   EXPECT_THAT(sentenceOf([] { withNumber(kModel, "servo", "kt", -1); }), HasSubstr("kt"));
 }

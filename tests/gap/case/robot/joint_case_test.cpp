@@ -106,6 +106,21 @@ TEST_F(JointCase, ASessionBeginsWithItsFirstRecording) {
   EXPECT_NEAR(made.logs[1].session_start_s, 8 + 1.5, 0.1);
 }
 
+// A battery's voltage falls in a session, and repeats of a day have the names of those of another.
+TEST_F(JointCase, EachRecordingHasItsOwnSupplyAndRowsWhateverItsName) {
+  std::string low = recordedSwing();
+  for (std::size_t at = low.find(",11.8,"); at != low.npos; at = low.find(",11.8,", at + 1))
+    low.replace(at, 6, ",10.6,");
+  for (const char* const day : {"one", "two"}) std::filesystem::create_directory(file(day));
+  std::ofstream{file("one/swing.csv")} << recordedSwing();
+  std::ofstream{file("two/swing.csv")} << low;
+  writeJointCase({.recordings = {file("one/swing.csv")}, .held_out = {file("two/swing.csv")}}, file("case"));
+  const Case made = readCase(file("case"));
+  ASSERT_EQ(made.logs.size(), 2U);
+  EXPECT_NEAR(supplyOf(made, made.logs[0]), 11.8, 1e-9);
+  EXPECT_NEAR(supplyOf(made, made.logs[1]), 10.6, 1e-9);
+}
+
 TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {
   std::ofstream{file("swing.csv")} << recordedSwing();
   const logs::Log log = logs::readLog(file("swing.csv"));
