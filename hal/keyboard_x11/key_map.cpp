@@ -10,7 +10,7 @@ KeyMap::KeyMap(xcb_connection_t* connection) {
   first_ = setup->min_keycode;
   const auto count = static_cast<std::uint8_t>(setup->max_keycode - setup->min_keycode + 1);
   const auto asked = ::xcb_get_keyboard_mapping(connection, first_, count);
-  const Reply<xcb_get_keyboard_mapping_reply_t> reply{::xcb_get_keyboard_mapping_reply(connection, asked, nullptr)};
+  const auto reply = replyInTime<xcb_get_keyboard_mapping_reply_t>(connection, asked.sequence);
   if (!reply) return;
   per_key_ = reply->keysyms_per_keycode;
   const xcb_keysym_t* const keysyms = ::xcb_get_keyboard_mapping_keysyms(reply.get());
@@ -32,10 +32,10 @@ Key KeyMap::modifier(xcb_keycode_t code) const {
   return all.empty() ? 0 : modifierOfKeysym(all.front());
 }
 
-bool isDown(xcb_connection_t* connection, xcb_keycode_t code) {
-  const Reply<xcb_query_keymap_reply_t> reply{
-      ::xcb_query_keymap_reply(connection, ::xcb_query_keymap(connection), nullptr)};
-  return reply && (reply->keys[code / 8U] & (1U << (code % 8U))) != 0;
+std::optional<bool> isDown(xcb_connection_t* connection, xcb_keycode_t code) {
+  const auto reply = replyInTime<xcb_query_keymap_reply_t>(connection, ::xcb_query_keymap(connection).sequence);
+  if (!reply) return std::nullopt;
+  return (reply->keys[code / 8U] & (1U << (code % 8U))) != 0;
 }
 
 }  // namespace darwinop::x11

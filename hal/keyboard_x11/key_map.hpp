@@ -20,6 +20,8 @@ class KeyMap {
 
   [[nodiscard]] std::optional<Key> key(xcb_keycode_t code, bool num_lock) const;
   [[nodiscard]] Key modifier(xcb_keycode_t code) const;
+  /// False: the server did not answer.
+  [[nodiscard]] bool isKnown() const { return per_key_ > 0; }
 
  private:
   [[nodiscard]] std::span<const std::uint32_t> keysyms(xcb_keycode_t code) const;
@@ -29,7 +31,8 @@ class KeyMap {
   std::vector<std::uint32_t> keysyms_;
 };
 
-/// The server's key state. During auto-repeat the events report releases, but this state stays pressed.
-[[nodiscard]] bool isDown(xcb_connection_t* connection, xcb_keycode_t code);
+/// The server's key state; nothing if it does not answer in time. During auto-repeat the events report releases, but
+/// this state stays pressed.
+[[nodiscard]] std::optional<bool> isDown(xcb_connection_t* connection, xcb_keycode_t code);
 
 }  // namespace darwinop::x11

@@ -6,7 +6,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "hal/keyboard_x11/keysym.hpp"
 #include "hal/keyboard_x11/reply.hpp"
@@ -78,7 +80,7 @@ void KeyWindow::name() {
 
 void KeyWindow::takeFocusIfNobodyHasIt() {
   xcb_connection_t* const to = connection_.get();
-  const Reply<xcb_get_input_focus_reply_t> now{::xcb_get_input_focus_reply(to, ::xcb_get_input_focus(to), nullptr)};
+  const auto now = replyInTime<xcb_get_input_focus_reply_t>(to, ::xcb_get_input_focus(to).sequence);
   if (now && (now->focus == XCB_NONE || now->focus == XCB_INPUT_FOCUS_POINTER_ROOT || now->focus == screen_.root))
     ::xcb_set_input_focus(to, XCB_INPUT_FOCUS_POINTER_ROOT, window_, XCB_CURRENT_TIME);
 }
@@ -144,7 +146,7 @@ void KeyWindow::handle(const xcb_generic_event_t& event) {
       changed_ = true;
       return;
     case XCB_MAPPING_NOTIFY:
-      map_ = KeyMap{connection_.get()};
+      if (KeyMap map{connection_.get()}; map.isKnown()) map_ = std::move(map);
       return;
     case XCB_CLIENT_MESSAGE:
       closed_ = closed_ || as<xcb_client_message_event_t>(event).data.data32[0] == delete_window_;
@@ -169,7 +171,9 @@ void KeyWindow::handlePress(const xcb_key_press_event_t& event) {
 void KeyWindow::handleRelease(const xcb_key_release_event_t& event) {
   if (const Key own = map_.modifier(event.detail); own != 0)
     keys_.setModifiers(modifiersOfState(event.state) & ~own);
-  else if (!isDown(connection_.get(), event.detail))
+  else if (const std::optional<bool> down = isDown(connection_.get(), event.detail); !down)
+    keys_.releaseAll();  // the releases of the others may be lost
+  else if (!*down)
     keys_.release(event.detail);
   changed_ = true;
 }
