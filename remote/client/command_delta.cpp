@@ -44,7 +44,8 @@ MotorSetting settingOf(Joint joint, const JointCommand& wanted) {
     torque.torque_on = !wanted.has(JointCommand::kTorque) || wanted.torque_on;
     set(M::kAvailableTorque, setting.available_torque, torqueOnWire(torque));
   }
-  if (wanted.has(JointCommand::kPGain)) set(M::kPid, setting.pid[0], cut(std::round(std::min(wanted.p_gain, kMaxPGain) * 1000)));
+  if (wanted.has(JointCommand::kPGain))
+    set(M::kPid, setting.pid[0], cut(std::round(std::min(wanted.p_gain, kMaxPGain) * 1000)));
   return setting;
 }
 
