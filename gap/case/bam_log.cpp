@@ -95,7 +95,7 @@ void takeRows(const Json& entries, const std::string& file, BamLog& into) {
   note(without_goal, " rows without a goal are left out");
 }
 
-/// Python writes NaN and Infinity, which are no JSON, for what is not known.
+/// Python writes NaN and Infinity, which JSON does not have, for what is not known.
 std::string withoutNotNumbers(std::string_view json) {
   std::string out{json};
   bool in_text = false;

@@ -78,7 +78,7 @@ TEST_F(MotorTest, AGoalAheadOfASlowJointIsAtTheErrorOfItsWholeTorque) {
   EXPECT_LT(commanded(kElbow).goal.value, 0) << "it turns at once";
   motor().setControlPID(8, 0, 0);
   motor().setPosition(-2);
-  EXPECT_NEAR(commanded(kElbow).goal.value, -1023 * kRadPerTick / 8 - 0.05, 1e-9) << "slow position control, too";
+  EXPECT_NEAR(commanded(kElbow).goal.value, -1023 * kRadPerTick / 8 - 0.05, 1e-9) << "slow position control as well";
   motor().setTorque(-0.25);
   EXPECT_NEAR(commanded(kElbow).goal.value, 1023 * kRadPerTick / 80 + 0.05, 1e-9) << "a tenth of the torque";
   joint().position = Rad{};
