@@ -43,8 +43,8 @@ JointCommand MotorControl::command(const JointSensors& seen, double usual_gain, 
   JointCommand out;
   if (torque_ && *torque_ == 0) zero_for_s_ += dt_s;
   const std::optional<double> requested = goal(seen);
-  const bool is_slow = velocity_ || torque_;  // the joint may stay behind its goal
-  if (requested) out.setGoal(is_slow ? withinPull(*requested, seen, usual_gain) : Rad{*requested});
+  const bool is_end_of_range = torque_ || (position_ && std::isinf(*position_));
+  if (requested) out.setGoal(is_end_of_range ? withinPull(*requested, seen, usual_gain) : Rad{*requested});
   if (acceleration_ > 0 && requested) {
     const double cruise = std::abs(velocity());
     const Rad reachable{std::clamp(*requested, low(), high())};
