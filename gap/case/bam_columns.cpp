@@ -34,8 +34,8 @@ void checkSpeed(BamLog& in) {
   }
   if (ratios.size() < kEnoughRows) return;
   const double ratio = medianOf(ratios);
-  if (ratio > kOtherUnit || (ratio > 0 && ratio < 1 / kOtherUnit))
-    drop(in, &Trajectory::speed_rad_s, "speed", messages::kOtherUnit);
+  if (ratio > kOtherUnit || ratio < 1 / kOtherUnit)
+    drop(in, &Trajectory::speed_rad_s, "speed", ratio == 0 ? messages::kZeroAsNotRead : messages::kOtherUnit);
 }
 
 /// Of these columns so many readings may be out of range as of others; with more the unit is another.
@@ -47,7 +47,7 @@ void checkRange(BamLog& log, const ColumnBounds& of, const char* key) {
       std::ranges::count_if(values, [&](double value) { return value < of.low || value > of.high; }));
   if (areFew(outside, read)) return;
   const bool zero = std::ranges::all_of(values, [](double value) { return std::isnan(value) || value == 0; });
-  drop(log, of.values, key, zero ? messages::kZeroInEveryRow : messages::kOtherUnit);
+  drop(log, of.values, key, zero ? messages::kZeroAsNotRead : messages::kOtherUnit);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "gap/case/bam_log.hpp"
 #include "gap/case/encodings.hpp"
@@ -26,7 +27,7 @@ bool isWhole(double value) {
 /// What the readings have in common: all but a few, and more than a few.
 class Column {
  public:
-  Column(const std::vector<BamLog>& logs, const std::vector<double> BamLog::*of) {
+  Column(std::span<const BamLog> logs, const std::vector<double> BamLog::*of) {
     for (const BamLog& one : logs)
       for (const double value : one.*of)
         if (!std::isnan(value)) values_.push_back(value);
@@ -123,7 +124,9 @@ void takeLoad(const LoadUnit& unit, double full, const std::vector<double>& colu
   });
   into.notes.push_back(into.log.file + ": " + key + " is read as load, " + unit.reason + "; full duty is " +
                        std::to_string(static_cast<int>(full)));
-  if (masked > 0) into.notes.push_back(into.log.file + ": " + std::to_string(masked) + messages::kLoadsMasked + key);
+  if (masked > 0)
+    into.notes.push_back(into.log.file + ": " + std::to_string(masked) + " of " + std::to_string(column.size()) +
+                         messages::kLoadsMasked + key);
 }
 
 bool isRead(double value) {
@@ -157,7 +160,7 @@ void convertLoads(std::vector<BamLog>& logs) {
   for (BamLog& one : logs) {
     const std::vector<double>& values = of_load ? one.load : one.torque;
     const std::string file = one.log.file + ": ";
-    if (!Column{{one}, of_load ? &BamLog::load : &BamLog::torque}.some(isRead)) {
+    if (!Column{std::span{&one, 1}, of_load ? &BamLog::load : &BamLog::torque}.some(isRead)) {
       if (std::ranges::any_of(one.load, [](double value) { return !std::isnan(value); }))
         one.notes.push_back(file + messages::kLoadIsZero + messages::kNotMeasured);
     } else if (unit == kUnits.end()) {

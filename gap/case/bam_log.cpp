@@ -88,11 +88,13 @@ void takeRows(const Json& entries, const std::string& file, BamLog& into) {
   if (!areFew(late + without_goal, entries.size())) throw BadInput(file + ": `entries` " + messages::kNotBamRow);
   into.log.load.assign(into.log.rows(), kNotThere);
   const auto note = [&](std::size_t number, const std::string& what) {
-    if (number > 0) into.notes.push_back(into.log.file + ": " + std::to_string(number) + what);
+    if (number > 0)
+      into.notes.push_back(into.log.file + ": " + std::to_string(number) + " of " + std::to_string(entries.size()) +
+                           what);
   };
   note(without_torque_enable, messages::kNoTorqueEnable);
-  note(late, " rows whose time does not increase are left out");
-  note(without_goal, " rows without a goal are left out");
+  note(late, " rows are left out: their time does not increase");
+  note(without_goal, " rows are left out: they have no goal");
 }
 
 /// Python writes NaN and Infinity, which JSON does not have, for what is not known.

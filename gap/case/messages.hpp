@@ -73,11 +73,11 @@ inline constexpr const char* kLoadIsZero = "load is 0 in every row";
 inline constexpr const char* kNotMeasured = ", and counts as not measured";
 inline constexpr const char* kLoadHasOtherScale =
     " times the duty that gain and error ask for: its unit is another, or the gain; it counts as not measured";
-inline constexpr const char* kLoadsMasked = " readings have another unit, or none, and are masked: ";
+inline constexpr const char* kLoadsMasked = " readings are masked, of another unit or none: ";
 inline constexpr const char* kLoadIsMirrored =
     "the load pushes away from the goal, so that it is taken with the other sign";
 inline constexpr const char* kOtherUnit = " has another unit";
-inline constexpr const char* kZeroInEveryRow = " is 0 in every row";
+inline constexpr const char* kZeroAsNotRead = " is 0, as where it was not read";
 inline constexpr const char* kColumnLeftOut = ", and is left out";
 inline constexpr const char* kClockWasSet =
     "is not later than the entries before; split the log where the clock was set";

@@ -86,7 +86,8 @@ TEST(BamLog, AFewFalseReadingsDecideNoUnitAndAreMasked) {
     EXPECT_NEAR(read.log.load[0], 0.25, 1e-12) << false_one;
     EXPECT_NEAR(read.log.load[150], -0.25, 1e-12) << false_one;
     EXPECT_TRUE(std::isnan(read.log.load[77])) << false_one;
-    EXPECT_THAT(read.notes, testing::Contains(HasSubstr(std::string{"1"} + messages::kLoadsMasked))) << false_one;
+    EXPECT_THAT(read.notes, testing::Contains(HasSubstr(std::string{"1 of 200"} + messages::kLoadsMasked)))
+        << false_one;
   }
 }
 
@@ -161,8 +162,9 @@ TEST(BamLog, AColumnInAnotherUnitIsLeftOutAndTheLogStays) {
     EXPECT_THAT(read.notes, testing::Contains(HasSubstr(messages::kColumnLeftOut))) << to;
     return read.log;
   };
-  EXPECT_TRUE(std::isnan(left_out("\"speed\": 0", "\"speed\": 12.5").speed_rad_s[9])) << "rpm";
-  EXPECT_TRUE(std::isnan(left_out("\"speed\": 0", "\"speed\": 1500").speed_rad_s[9])) << "counts";
+  EXPECT_TRUE(std::isnan(left_out("\"speed\": ", "\"speed\": 12.5, \"was\": ").speed_rad_s[9])) << "rpm";
+  EXPECT_TRUE(std::isnan(left_out("\"speed\": ", "\"speed\": 1500, \"was\": ").speed_rad_s[9])) << "counts";
+  EXPECT_TRUE(std::isnan(left_out("\"speed\": ", "\"speed\": 0, \"was\": ").speed_rad_s[9])) << "not read";
   EXPECT_TRUE(std::isnan(left_out("\"input_volts\": 12.1", "\"input_volts\": 0").volt_v[9]));
   EXPECT_TRUE(std::isnan(left_out("\"input_volts\": 12.1", "\"input_volts\": 121").volt_v[9]));
 }

@@ -17,11 +17,12 @@ inline std::string bamText(const std::function<std::string(int)>& load, const st
   std::string entries;
   for (int i = 0; i < 200; ++i) {
     const double t = 0.0125 * i;
-    entries += (i == 0 ? "" : ",") + std::string{"{\"timestamp\": "} + std::to_string(t) +
-               ", \"goal_position\": " + std::to_string(0.5 * std::sin(3 * t)) +
-               ", \"position\": " + std::to_string(0.5 * std::sin(3 * (t - 0.03))) + ", \"torque_enable\": true" +
-               ", \"load\": " + load(i) + ", \"torque\": " + torque(i) +
-               ", \"input_volts\": 12.1, \"current\": 0.5, \"speed\": 0}";
+    entries +=
+        (i == 0 ? "" : ",") + std::string{"{\"timestamp\": "} + std::to_string(t) +
+        ", \"goal_position\": " + std::to_string(0.5 * std::sin(3 * t)) +
+        ", \"position\": " + std::to_string(0.5 * std::sin(3 * (t - 0.03))) + ", \"torque_enable\": true" +
+        ", \"load\": " + load(i) + ", \"torque\": " + torque(i) +
+        ", \"input_volts\": 12.1, \"current\": 0.5, \"speed\": " + std::to_string(1.5 * std::cos(3 * (t - 0.03))) + "}";
   }
   return "{\"mass\": 0.5, \"arm_mass\": 0.1, \"length\": 0.15, \"vin\": 12, \"trajectory\": \"sine\", " + head +
          ", \"entries\": [" + entries + "]}";
