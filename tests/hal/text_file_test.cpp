@@ -8,9 +8,11 @@
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -106,9 +108,10 @@ TEST(WriteTextFile, WhereThereIsNoRoomTheOldFileStays) {
   ASSERT_EQ(chmod((folder / "a.txt").c_str(), 0640), 0);
   const pid_t child = fork();
   if (child == 0) {
-    const rlimit most{10, 10};  // bytes
     signal(SIGXFSZ, SIG_IGN);
-    setrlimit(RLIMIT_FSIZE, &most);
+    // setrlimit() of the C library asks with prlimit64, which Linux 2.6.31 does not have.
+    const std::array<unsigned long, 2> most{10, 10};  // bytes
+    if (syscall(SYS_setrlimit, RLIMIT_FSIZE, most.data()) != 0) _exit(8);
     try {
       writeTextFile(folder / "link", std::string(100, 'x'));
     } catch (const std::runtime_error&) {

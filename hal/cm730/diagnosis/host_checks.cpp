@@ -5,12 +5,16 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -91,6 +95,20 @@ std::set<std::string> cpuGovernors(const std::string& folder) {
   return found;
 }
 
+/// Bytes that this process may lock; nothing: as many as it likes. getrlimit() of the C library asks with prlimit64,
+/// which the robot's Linux 2.6.31 does not have.
+std::optional<std::uint64_t> lockingLimit() {
+#ifdef SYS_ugetrlimit  // 32 bits: SYS_getrlimit is a still older call
+  constexpr long kCall = SYS_ugetrlimit;
+#else
+  constexpr long kCall = SYS_getrlimit;
+#endif
+  constexpr auto kUnlimited = ~0UL;
+  std::array<unsigned long, 2> present_and_most{};
+  if (::syscall(kCall, RLIMIT_MEMLOCK, present_and_most.data()) != 0 || present_and_most[0] == kUnlimited) return {};
+  return present_and_most[0];
+}
+
 Nanos clockResolution() {
   timespec resolution{};
   ::clock_getres(CLOCK_MONOTONIC, &resolution);
@@ -109,8 +127,7 @@ HostFacts measureHost(int priority) {
   facts.priority = priority;
   facts.priority_error = tryPriority(priority);
   facts.memory_error = tryLocking();
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) facts.memory_limit = limit.rlim_cur;
+  facts.memory_limit = lockingLimit();
   facts.governors = cpuGovernors();
   facts.clock_resolution = clockResolution();
   return facts;

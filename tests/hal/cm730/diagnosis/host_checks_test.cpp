@@ -4,11 +4,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include "support/temporary_folder.hpp"
@@ -90,6 +97,22 @@ TEST(HostChecks, MeasuringDoesNotChangeTheCallingThread) {
   EXPECT_EQ(facts.priority, 80);
   EXPECT_GT(facts.clock_resolution.count(), 0);
   EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
+}
+
+TEST(HostChecks, TheLimitOfLockedMemoryIsTheOneOfThisProcess) {
+  const auto limitOfAChild = [](unsigned long bytes) {
+    const pid_t child = fork();
+    if (child == 0) {
+      const std::array<unsigned long, 2> limit{bytes, bytes};
+      if (syscall(SYS_setrlimit, RLIMIT_MEMLOCK, limit.data()) != 0) _exit(2);
+      _exit(measureHost(80).memory_limit == std::optional<std::uint64_t>{bytes} ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
+  };
+  EXPECT_EQ(limitOfAChild(4096), 0);
+  EXPECT_EQ(limitOfAChild(0), 0);
 }
 
 }  // namespace
