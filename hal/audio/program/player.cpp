@@ -13,6 +13,7 @@ constexpr std::size_t kPiece = 1024;  // frames: 23 ms
 // Blocks are mixed this far ahead of playback: the latency of a stop, and the tolerated scheduling delay.
 constexpr auto kLead = 120ms;
 constexpr auto kRest = 300ms;  // after this much silence the card is closed
+constexpr auto kRetry = 1s;    // a card that is in use or unplugged is tried again, for a sound that repeats
 
 constexpr std::chrono::nanoseconds timeOf(std::uint64_t frames) {
   return std::chrono::nanoseconds{frames * 1'000'000'000 / kMixRate};
@@ -44,12 +45,28 @@ void SoundPlayer::run() {
 
 /// Plays from the first sound until silence.
 void SoundPlayer::sound() {
-  std::unique_ptr<Card> card;
+  openTheCard();
+  playUntilSilence();
+  card_.reset();
+}
+
+void SoundPlayer::openTheCard() {
+  tried_ = Clock::now();
   try {
-    card = openCard();
+    card_ = openCard();
+    card_error_.clear();
   } catch (const std::exception& error) {
-    report_(SoundError{error.what()});
+    reportCard(error.what());
   }
+}
+
+/// Once as long as it stays the same.
+void SoundPlayer::reportCard(const std::string& error) {
+  if (error != card_error_) report_(SoundError{error});
+  card_error_ = error;
+}
+
+void SoundPlayer::playUntilSilence() {
   const Clock::time_point began = Clock::now();
   std::array<Sample, kPiece> piece;
   std::uint64_t written = 0, last_audible = 0;
@@ -62,7 +79,7 @@ void SoundPlayer::sound() {
       if (!mixer_.silent()) last_audible = written;
       for (const SoundId id : mixer_.takeEnded()) ended_.push_back({began + timeOf(written), id});
     }
-    write(card, piece);
+    write(piece);
     std::this_thread::sleep_until(began + timeOf(written) - kLead);
     reportEnded(Clock::now());
     // An empty text ends without a sound; its end must be reported as well.
@@ -70,14 +87,15 @@ void SoundPlayer::sound() {
   }
 }
 
-/// If the card is removed, the remaining sounds end at their usual time, without output.
-void SoundPlayer::write(std::unique_ptr<Card>& card, std::span<const Sample> piece) {
-  if (!card) return;
+/// Without a card, sounds end at their usual time, without output.
+void SoundPlayer::write(std::span<const Sample> piece) {
+  if (!card_ && Clock::now() - tried_ >= kRetry) openTheCard();
+  if (!card_) return;
   try {
-    card->write(piece);
+    card_->write(piece);
   } catch (const std::exception& error) {
-    card.reset();
-    report_(SoundError{error.what()});
+    card_.reset();
+    reportCard(error.what());
   }
 }
 

@@ -5,7 +5,10 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
+#include <span>
+#include <string>
 #include <thread>
 
 #include "hal/audio/mixer.hpp"
@@ -34,7 +37,10 @@ class SoundPlayer {
   using Clock = std::chrono::steady_clock;
   void run();
   void sound();
-  void write(std::unique_ptr<Card>& card, std::span<const Sample> piece);
+  void openTheCard();
+  void reportCard(const std::string& error);
+  void playUntilSilence();
+  void write(std::span<const Sample> piece);
   void reportEnded(Clock::time_point played_at);
 
   std::function<void(const SoundEvent&)> report_;
@@ -46,7 +52,10 @@ class SoundPlayer {
     Clock::time_point played_at;
     SoundId id;
   };
-  std::deque<Ended> ended_;  // in the card's buffer, not played yet
+  std::deque<Ended> ended_;     // in the card's buffer, not played yet
+  std::unique_ptr<Card> card_;  // of the playback thread, while something sounds
+  Clock::time_point tried_{};   // to open it
+  std::string card_error_;      // reported last
   std::thread thread_;
 };
 

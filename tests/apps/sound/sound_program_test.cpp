@@ -41,6 +41,21 @@ TEST_F(SoundGraph, WithoutACardSoundsTakeTheirTimeAndThatIsReported) {
   EXPECT_THAT(said, HasSubstr("cannot use sound card \"default\""));
 }
 
+TEST_F(SoundGraph, ACardThatIsFreeAgainPlaysTheSoundThatRepeats) {
+  const std::string present = folder / "alsa.conf", later = folder / "later.conf";
+  std::filesystem::copy_file(present, later);
+  writeGraph("pcm.null { type null }\n");
+  sound().order(PlaySound{.id = 1, .file = toneFile(440, 0.2), .loop = true});
+  awaitBegin(1);
+  const auto error = sound().nextEvent(kPatience);
+  ASSERT_TRUE(error && std::holds_alternative<SoundError>(*error));
+  std::filesystem::rename(later, present);
+  for (int i = 0; i < 2000 && !std::filesystem::exists(recording()); ++i) std::this_thread::sleep_for(10ms);
+  std::this_thread::sleep_for(300ms);  // some of it
+  EXPECT_FALSE(sound().nextEvent(0ms)) << "one message, whatever the number of tries";
+  EXPECT_GT(rms(audiblePart(recorded().channel(0))), 0.1);
+}
+
 TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsReportedAndTheNextOneSounds) {
   sound().order(PlaySound{.id = 1, .file = folder / "nothing.mp3"});
   awaitEnd(1);
