@@ -24,12 +24,13 @@ v4l2_buffer bufferNumber(std::uint32_t index) noexcept {
   return buffer;
 }
 
-/// Old drivers use the time of day, which may jump; it is replaced by the present monotonic time.
+/// Old drivers use the time of day, which may jump, and some mark it as monotonic (uvcvideo with clock=CLOCK_REALTIME);
+/// a time that is not monotonic or in the future is replaced by the present one.
 std::chrono::nanoseconds timeOf(const v4l2_buffer& buffer) noexcept {
-  constexpr std::int64_t kSecond = 1'000'000'000, kMicrosecond = 1'000;
-  if ((buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC)
-    return std::chrono::nanoseconds{kSecond * buffer.timestamp.tv_sec + kMicrosecond * buffer.timestamp.tv_usec};
-  return monotonicNow();
+  const std::chrono::nanoseconds now = monotonicNow();
+  if ((buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) != V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC) return now;
+  return std::min(now, std::chrono::nanoseconds{std::chrono::seconds{buffer.timestamp.tv_sec} +
+                                                std::chrono::microseconds{buffer.timestamp.tv_usec}});
 }
 
 std::uint32_t grantedBuffers(const V4l2Device& device) {

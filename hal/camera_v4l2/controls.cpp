@@ -15,6 +15,17 @@ struct ControlRow {
   int wanted;
 };
 
+/// UVC cameras offer aperture priority (they have no aperture), others fully automatic exposure.
+int automaticExposure(const V4l2Device& device) {
+  for (const int mode : {V4L2_EXPOSURE_APERTURE_PRIORITY, V4L2_EXPOSURE_AUTO}) {
+    v4l2_querymenu item{};
+    item.id = V4L2_CID_EXPOSURE_AUTO;
+    item.index = static_cast<std::uint32_t>(mode);
+    if (request(device.fd(), VIDIOC_QUERYMENU, item) == 0) return mode;
+  }
+  return V4L2_EXPOSURE_APERTURE_PRIORITY;
+}
+
 void apply(const V4l2Device& device, const ControlRow& row, const Remark& remark) {
   v4l2_queryctrl about{};
   about.id = row.id;
@@ -50,8 +61,7 @@ ControlDecision decide(int wanted, const ControlRange& range) {
 }
 
 void applySettings(const V4l2Device& device, const CameraSettings& settings, const Remark& remark) {
-  // UVC cameras with automatic exposure use aperture priority (they have no aperture).
-  const int exposure_mode = settings.auto_exposure ? V4L2_EXPOSURE_APERTURE_PRIORITY : V4L2_EXPOSURE_MANUAL;
+  const int exposure_mode = settings.auto_exposure ? automaticExposure(device) : V4L2_EXPOSURE_MANUAL;
   const auto rows = std::to_array<ControlRow>({
       {V4L2_CID_EXPOSURE_AUTO, "exposure mode", exposure_mode},
       {V4L2_CID_AUTO_WHITE_BALANCE, "automatic white balance", settings.auto_white_balance ? 1 : 0},

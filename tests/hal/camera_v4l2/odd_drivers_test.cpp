@@ -153,6 +153,18 @@ TEST_F(OddDriver, UsesTimeOfDayTimestamps) {
   EXPECT_LT(frame.time, monotonicNow());
 }
 
+TEST_F(OddDriver, MarksTheTimeOfDayAsMonotonic) {
+  const Changed quirk{VIDIOC_DQBUF, [](int result, void* answer) {
+                        static_cast<v4l2_buffer*>(answer)->timestamp.tv_sec = 2'000'000'000;
+                        return result;
+                      }};
+  const Nanos before = monotonicNow();
+  Camera camera{fastOptions(log)};
+  const CameraFrame frame = waitForPicture(camera);
+  EXPECT_GT(frame.time, before);
+  EXPECT_LT(frame.time, monotonicNow());
+}
+
 TEST_F(OddDriver, TakesNoPictures) {
   const Changed quirk{VIDIOC_QUERYCAP, [](int result, void* answer) {
                         auto& able = *static_cast<v4l2_capability*>(answer);

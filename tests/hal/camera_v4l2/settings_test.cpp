@@ -15,6 +15,26 @@ namespace {
 using testing::HasSubstr;
 using Written = std::vector<std::pair<std::uint32_t, int>>;
 
+bool isExposureMode(unsigned long request, const void* argument) {
+  return (request == VIDIOC_QUERYMENU && static_cast<const v4l2_querymenu*>(argument)->id == V4L2_CID_EXPOSURE_AUTO) ||
+         (request == VIDIOC_QUERYCTRL && static_cast<const v4l2_queryctrl*>(argument)->id == V4L2_CID_EXPOSURE_AUTO) ||
+         ((request == VIDIOC_G_CTRL || request == VIDIOC_S_CTRL) &&
+          static_cast<const v4l2_control*>(argument)->id == V4L2_CID_EXPOSURE_AUTO);
+}
+
+/// A camera whose exposure is manual, or fully automatic (mode 0).
+int answerFullyAutomatic(unsigned long request, void* argument) {
+  if (request == VIDIOC_QUERYCTRL) {
+    static_cast<v4l2_queryctrl*>(argument)->minimum = V4L2_EXPOSURE_AUTO;
+    static_cast<v4l2_queryctrl*>(argument)->maximum = V4L2_EXPOSURE_MANUAL;
+  }
+  if (request == VIDIOC_G_CTRL) static_cast<v4l2_control*>(argument)->value = V4L2_EXPOSURE_MANUAL;
+  const bool is_missing =
+      request == VIDIOC_QUERYMENU && static_cast<v4l2_querymenu*>(argument)->index > V4L2_EXPOSURE_MANUAL;
+  if (is_missing) errno = EINVAL;
+  return is_missing ? -1 : 0;
+}
+
 /// Records writes; some controls may be disabled or fail.
 struct Notes final : Quirk {
   int call(int fd, unsigned long request, void* argument) override {
@@ -27,6 +47,7 @@ struct Notes final : Quirk {
         return -1;
       }
     }
+    if (only_fully_automatic && isExposureMode(request, argument)) return answerFullyAutomatic(request, argument);
     const int result = next(fd, request, argument);
     if (request == VIDIOC_QUERYCTRL && result == 0) {
       auto& about = *static_cast<v4l2_queryctrl*>(argument);
@@ -44,6 +65,7 @@ struct Notes final : Quirk {
   }
 
   std::atomic<std::uint32_t> disabled{0}, unknown{0}, refuses{0};
+  std::atomic<bool> only_fully_automatic{false};  // the exposure's menu has no aperture priority
   std::mutex mutex;
   Written written;
   const InForce in_force{*this};  // last member: destroyed first
@@ -101,6 +123,18 @@ TEST_F(SettingsTest, DisableAutomaticModesFirstAndThenSetWhatDiffers) {
 
   const Written back{{V4L2_CID_AUTOGAIN, 0}, {V4L2_CID_BRIGHTNESS, 128}};
   EXPECT_EQ(writtenFor({}), back) << "-1 is the driver's default";
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
+}
+
+TEST_F(SettingsTest, AutomaticExposureIsTheModeThatTheCameraOffers) {
+  using testing::Contains;
+  using testing::Pair;
+  CameraSettings automatic;
+  automatic.auto_exposure = true;
+  writtenFor({});
+  EXPECT_THAT(writtenFor(automatic), Contains(Pair(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_APERTURE_PRIORITY)));
+  notes.only_fully_automatic = true;
+  EXPECT_THAT(writtenFor(automatic), Contains(Pair(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_AUTO)));
   EXPECT_THAT(log.lines(), testing::IsEmpty());
 }
 
