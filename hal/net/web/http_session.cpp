@@ -78,8 +78,19 @@ void HttpSession::start() {
   stream_.next_layer().expires_after(context_.config.handshake_timeout);
   http::async_read(stream_.next_layer(), read_buffer_, *request_,
                    [self = shared_from_this()](Error error, std::size_t) {
-                     if (!error) self->respond();
+                     error ? self->answerUnreadable(error) : self->respond();
                    });
+}
+
+/// A connection that ended or was too slow gets no answer.
+void HttpSession::answerUnreadable(Error error) {
+  if (error == http::error::end_of_stream || error == http::error::partial_message) return;
+  if (error == http::error::body_limit) return refuse(Status::payload_too_large, "a request here has no body");
+  if (error == http::error::header_limit || error == http::error::buffer_overflow)
+    return refuse(Status::request_header_fields_too_large,
+                  "the head of a request has at most " + std::to_string(kLongestHead) + " bytes");
+  if (error.category() == make_error_code(http::error::bad_method).category())
+    refuse(Status::bad_request, "this is not an HTTP request; is the address https:// instead of http://?");
 }
 
 void HttpSession::respond() {

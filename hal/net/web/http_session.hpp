@@ -68,6 +68,7 @@ class HttpSession final : public Channel, public std::enable_shared_from_this<Ht
   using Reply = boost::beast::http::response<boost::beast::http::string_body>;
 
   void respond();
+  void answerUnreadable(Error error);
   void reply(Status status, WebPage page, bool body = true);
   void refuse(Status status, const std::string& why);
   void upgrade(const Endpoint& endpoint);

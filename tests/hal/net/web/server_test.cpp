@@ -82,6 +82,15 @@ TEST_F(WebServerTest, ServesItsPagesAndNothingElse) {
   EXPECT_THAT(ask("POST / HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 405"));
 }
 
+TEST_F(WebServerTest, AnswersRequestsThatItCannotRead) {
+  EXPECT_THAT(ask("POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1\r\n\r\nx"), StartsWith("HTTP/1.1 413"));
+  EXPECT_THAT(ask("GET / HTTP/1.1\r\nHost: localhost\r\nCookie: " + std::string(9000, 'x') + "\r\n\r\n"),
+              StartsWith("HTTP/1.1 431"));
+  EXPECT_THAT(ask("\x16\x03\x01\x02\x01\x03\x03\r\n\r\n"),
+              testing::AllOf(StartsWith("HTTP/1.1 400"), HasSubstr("https")));
+  EXPECT_EQ(std::count(log_.begin(), log_.end(), '\n'), 3) << log_;
+}
+
 TEST_F(WebServerTest, RefusesForeignOriginsAndUnknownHostNames) {
   const std::string evil = "Origin: http://evil.example\r\n";
   EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1", evil)), StartsWith("HTTP/1.1 403"));
