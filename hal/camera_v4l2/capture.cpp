@@ -23,22 +23,13 @@ Size askable(const CameraOptions& options) {
   return good ? Size{options.width, options.height} : kFallback;
 }
 
-// Abandoned capture threads of this process. Not counted per device: a robot has one camera.
-constinit std::atomic<int> left_behind{0};
-
 }  // namespace
 
 Capture::Capture(CameraOptions options)
     : options_{std::move(options)}, reporter_{options_.log}, black_{blackPicture(askable(options_), options_.form)} {}
 
-Capture::~Capture() {
-  if (left_behind_) left_behind.fetch_sub(1);
-}
-
 void Capture::leaveBehind() {
   reporter_.mute();  // the receiver may be destroyed soon
-  left_behind_ = true;
-  left_behind.fetch_add(1);
 }
 
 void Capture::run() noexcept {
@@ -59,17 +50,16 @@ void Capture::run() noexcept {
 }
 
 bool Capture::attempt() {
-  // An abandoned thread of this process may keep the device open for a while; that is not another program.
+  // The monitor hands the camera over to a controller that starts, and an abandoned thread of this process may keep it
+  // open for a while; neither is a program to be ended.
   constexpr std::chrono::seconds kHandOver{1};
   constexpr std::chrono::milliseconds kLookAgain{20};
   const Nanos quiet_until = monotonicNow() + kHandOver;
   for (;;) {
-    const bool has_predecessor =
-        left_behind.load() != 0;  // read first: the thread may close the device during the attempt
     try {
       return session();
     } catch (const CameraRefused& refused) {
-      if (refused.kind() != CameraError::kBusy || !has_predecessor || monotonicNow() >= quiet_until) {
+      if (refused.kind() != CameraError::kBusy || monotonicNow() >= quiet_until) {
         report(refused.kind(), refused.what());
         return false;
       }

@@ -20,7 +20,7 @@ class PictureTaker;
 class Capture {
  public:
   explicit Capture(CameraOptions options);
-  ~Capture();
+  ~Capture() = default;
   Capture(const Capture&) = delete;
   Capture& operator=(const Capture&) = delete;
 
@@ -29,8 +29,7 @@ class Capture {
 
   /// Any other thread.
   void stop() noexcept { wake_.stop(); }
-  /// After stop(), if run() has not returned and the owner leaves: disables messages, and records for later cameras of
-  /// this process that the device may still be open.
+  /// After stop(), if run() has not returned and the owner leaves: disables messages.
   void leaveBehind();
 
   /// User's thread. Wait-free.
@@ -54,7 +53,6 @@ class Capture {
   Reporter reporter_;
   Counters counters_;
   FrameCount count_;
-  bool left_behind_ = false;  // set by the owner's thread only
   bool streamed_ = false;
   Size fixed_{};  // after the first start of streaming
 

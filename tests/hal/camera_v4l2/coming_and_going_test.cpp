@@ -138,6 +138,17 @@ TEST_F(ComingAndGoing, DoesNotReportBusyForABlockedPredecessor) {
   EXPECT_THAT(log.lines(), testing::IsEmpty());
 }
 
+TEST_F(ComingAndGoing, TakesOverFromAProgramThatLeavesWithoutAMessage) {
+  LogCapture others_log;
+  auto other = std::make_unique<Camera>(fastOptions(others_log));
+  waitForPicture(*other);
+  Camera camera{fastOptions(log)};
+  std::this_thread::sleep_for(100ms);  // several rejected attempts
+  other.reset();
+  waitForPicture(camera);
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
+}
+
 TEST_F(ComingAndGoing, ReportsAPredecessorThatStaysBlocked) {
   StuckDriver driver{VIDIOC_DQBUF};
   CameraOptions options = fastOptions(log);
