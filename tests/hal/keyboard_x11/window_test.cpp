@@ -10,11 +10,13 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "connect/keys.hpp"
+#include "hal/keyboard_x11/key_map.hpp"
 #include "support/shell.hpp"
 #include "support/x_server.hpp"
 
@@ -161,6 +163,16 @@ TEST_F(KeyWindowTest, AStalledNetworkReleasesAllKeys) {
   EXPECT_THAT(keys->take(), ElementsAre(kKeyUp)) << "the server still reports the key as down";
   server.hang();
   EXPECT_THAT(held({}), IsEmpty());
+}
+
+/// A network that stalls after the event of a release: the question whether the key is down has no answer.
+TEST(KeyMap, AServerThatDoesNotAnswerIsNotWaitedFor) {
+  XServer server;
+  xcb_connection_t* const connection = xcb_connect(server.name().c_str(), nullptr);
+  ASSERT_EQ(x11::isDown(connection, 40), false);
+  server.hang();
+  EXPECT_EQ(x11::isDown(connection, 40), std::nullopt);
+  xcb_disconnect(connection);
 }
 
 TEST_F(KeyWindowTest, ADeadServerIsReportedAndTheControllerContinues) {
