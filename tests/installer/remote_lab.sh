@@ -96,11 +96,11 @@ END
   echo 'KneeR is 0.8 rad off' >"$ROBOT/run/pose-unsafe"
 }
 
-# Kills -9 all shells on the robot whose command line names it, so that none of them can see to the others.
-kill_shells_of() {
+# Kills -9 all shells on the robot that run a program of the installer, so that none of them can see to the others.
+kill_shells() {
   local process shells=()
   for process in $(robot_processes --foreign); do
-    case $({ tr '\0' ' ' <"/proc/$process/cmdline"; } 2>/dev/null || true) in "sh -c "*"$1"*) shells+=("$process") ;; esac
+    case $({ tr '\0' ' ' <"/proc/$process/cmdline"; } 2>/dev/null || true) in "sh -c "*darwinop-program*) shells+=("$process") ;; esac
   done
   kill -KILL "${shells[@]}"
 }

@@ -145,7 +145,7 @@ scenario_what_breaks_in_between_leaves_no_server() {
   expect_limp
   start_run
   await '^driving$'
-  kill_shells_of serve_remote
+  kill_shells
   wait_run
   expect_limp
   start_run
