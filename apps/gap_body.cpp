@@ -66,11 +66,12 @@ int runBody(const Arguments& given) {
   std::cout << (given.json ? jsonText(report.answer, 1) + "\n" : asText(found));
   for (const std::string& sentence : report.left_out) std::cerr << "darwinop gap: " << sentence << '\n';
   if (!given.out.empty()) {
-    writeTextFile(given.out, report.model_after);
+    writeModelFile(given.out, report.model_after, read.joints.model);
     std::cerr << "darwinop gap: " << given.out << " is the model with the effects; the twin reads it\n";
   }
   if (!given.no_report) {
     writeReport(report, folder);
+    putBody(read.joints.model, folder, twin::OtherBody::kReplace);
     showReport(given, folder, !report.answer["effects"].empty());
   }
   return exitCodeOf(found.verdict);
@@ -88,7 +89,7 @@ int addToBody(const Arguments& given) {
   if (given.out.empty())
     std::cout << text;
   else
-    writeTextFile(given.out, text);
+    writeModelFile(given.out, text, read.joints.model);
   for (const AddedEffect& effect : added.additions.effects)
     std::cerr << "darwinop gap: " << effect.id << " at "
               << (effect.joints.empty() ? "all joints" : placesText(effect.joints)) << " added\n";

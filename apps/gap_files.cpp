@@ -16,6 +16,7 @@
 #include "gap/report/data_hash.hpp"
 #include "hal/process/child_process.hpp"
 #include "hal/text_file.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -83,6 +84,16 @@ void requireWritable(const std::string& path) {
   if (file < 0) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
   close(file);
   if (is_new) unlink(path.c_str());
+}
+
+void putBody(const twin::Model& model, const std::string& folder, twin::OtherBody other) {
+  if (const std::string wrong = twin::copyBody(model, folder, other); !wrong.empty())
+    std::cerr << "darwinop gap: " << wrong << '\n';
+}
+
+void writeModelFile(const std::string& path, const std::string& text, const twin::Model& model) {
+  writeTextFile(path, text);
+  putBody(model, fs::path{path}.parent_path().string(), twin::OtherBody::kKeep);
 }
 
 std::string reportFolder(const Arguments& given, const std::string& otherwise) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gap_commands.hpp"
+#include "twin/model/copy_body.hpp"
 
 namespace darwinop::gap {
 namespace messages {
@@ -27,6 +28,11 @@ void makeFolder(const std::string& path);
 std::string newCaseFile(const std::string& folder);
 /// Before a long computation: throws as writeTextFile() would after it. Nothing stays, and no file is changed.
 void requireWritable(const std::string& path);
+
+/// The body of `model` for a model file in the folder; if that finds another one, stderr says so.
+void putBody(const twin::Model& model, const std::string& folder, twin::OtherBody other);
+/// Writes the text of a model file, with the body of `model` beside it. Another body that is there is kept.
+void writeModelFile(const std::string& path, const std::string& text, const twin::Model& model);
 
 /// That of --report, else one under gap-report that is named after `otherwise`.
 std::string reportFolder(const Arguments& given, const std::string& otherwise);

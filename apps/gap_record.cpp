@@ -15,6 +15,7 @@
 #include "hal/cm730/port_messages.hpp"
 #include "hal/signals.hpp"
 #include "hal/write_text_file.hpp"
+#include "twin/model/copy_body.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -31,7 +32,9 @@ std::string modelFor(const std::string& wanted, const std::string& folder) {
   std::string name = wanted.empty() ? "darwin-op" : wanted;
   const std::string path = twin::findModel(name);
   if (path != name) return name;  // a shipped one
-  (void)twin::readModel(path);
+  const twin::Model model = twin::readModel(path);
+  if (const std::string wrong = twin::copyBody(model, folder, twin::OtherBody::kReplace); !wrong.empty())
+    throw std::runtime_error(wrong);
   fs::copy_file(path, fs::path{folder} / "model.ini", fs::copy_options::overwrite_existing);
   return "model.ini";
 }

@@ -15,7 +15,6 @@
 #include "gap_commands.hpp"
 #include "gap_files.hpp"
 #include "gap_progress.hpp"
-#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -24,6 +23,7 @@ namespace fs = std::filesystem;
 
 void deliver(const Report& report, const Arguments& given, const std::string& folder) {
   writeReport(report, folder);
+  if (report.outcome != nullptr) putBody(report.given->model, folder, twin::OtherBody::kReplace);
   showReport(given, folder, report.outcome != nullptr && !report.outcome->identification.effects.empty());
 }
 
@@ -91,7 +91,7 @@ int run(const Arguments& given) {
   if (!Ranks::isFirst()) return code;
   std::cout << (given.json ? jsonText(asJson(read, outcome), 1) + "\n" : asText(report)) << std::flush;
   if (!given.out.empty()) {
-    writeTextFile(given.out, report.model_after);
+    writeModelFile(given.out, report.model_after, read.model);
     std::cerr << "darwinop gap: " << given.out
               << " is the case's model with the effects; a robot's model takes its [effect ...] sections\n";
   }
@@ -121,7 +121,7 @@ int addEffects(const Arguments& given) {
   if (given.out.empty())
     std::cout << text;
   else
-    writeTextFile(given.out, text);
+    writeModelFile(given.out, text, read.model);
   for (const AddedEffect& effect : additions.effects)
     std::cerr << "darwinop gap: " << effect.id << (hasEffect(before, effect.id) ? " replaced\n" : " added\n");
   return 0;

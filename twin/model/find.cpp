@@ -56,6 +56,15 @@ std::vector<std::string> modelFolders() {
   return folders;
 }
 
+std::string bodyFolder(const std::string& file, const std::string& xml) {
+  std::string own = fs::path{file}.parent_path().string();
+  std::vector<std::string> folders{own};
+  for (const std::string& models : modelFolders()) folders.push_back(models);
+  for (const std::string& folder : folders)
+    if (isFile(fs::path{folder} / xml)) return folder;
+  return own;
+}
+
 std::vector<std::string> shippedModels() {
   std::set<std::string> names;
   for (const std::string& folder : modelFolders()) {

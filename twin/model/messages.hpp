@@ -12,6 +12,8 @@ inline constexpr const char* kOutOfRange = "out of range; give ";
 // the file, and the body's file that it names
 inline constexpr const char* kIsFolder = " is a folder; ";
 inline constexpr const char* kNoBodyFile = "there is no file ";
+inline constexpr const char* kNotTheBody = " is not the body of the model, ";
+inline constexpr const char* kOutsideOfFolder = " is outside of the folder ";
 inline constexpr const char* kNoModel = "there is no model ";
 inline constexpr const char* kNoModelFile = "there is no model file ";
 

@@ -126,16 +126,6 @@ class ModelReader final : public text::IniReader {
   std::map<std::string, int> lines_;  // of sections, and of "section/key"
 };
 
-/// The folder of the model file, or the first model folder with `xml`, so that a copied shipped model works anywhere.
-std::string folderOf(const std::string& file, const std::string& xml) {
-  std::string own = fs::path{file}.parent_path().string();
-  std::vector<std::string> folders{own};
-  for (const std::string& models : modelFolders()) folders.push_back(models);
-  for (const std::string& folder : folders)
-    if (isFile(fs::path{folder} / xml)) return folder;
-  return own;
-}
-
 }  // namespace
 
 std::string whereLinkIs(const Model& model, std::size_t link) {
@@ -145,7 +135,7 @@ std::string whereLinkIs(const Model& model, std::size_t link) {
 
 Model parseModel(std::string_view text, const std::string& file) {
   Model model = ModelReader{file}.read(text);
-  model.folder = folderOf(file, model.body.xml);
+  model.folder = bodyFolder(file, model.body.xml);
   return model;
 }
 
@@ -158,7 +148,7 @@ Model readModel(const std::string& path) {
   if (!text) throw std::runtime_error(messages::kNoModelFile + path + "; " + listShippedModels());
   ModelReader reader{path};
   Model model = reader.read(*text);
-  model.folder = folderOf(path, model.body.xml);
+  model.folder = bodyFolder(path, model.body.xml);
   const fs::path xml = fs::path{model.folder} / model.body.xml;
   if (!isFile(xml))
     reader.fail("body/xml", "[body] xml = " + model.body.xml + ": " +

@@ -15,4 +15,7 @@ std::string listShippedModels();
 
 bool isFile(const std::filesystem::path& path);
 
+/// The folder of the model file, or the first model folder with `xml`, so that a copied shipped model works anywhere.
+std::string bodyFolder(const std::string& file, const std::string& xml);
+
 }  // namespace darwinop::twin

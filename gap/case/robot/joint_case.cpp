@@ -15,6 +15,7 @@
 #include "gap/case/write_case.hpp"
 #include "twin/bench/bench.hpp"
 #include "twin/body/pendulum.hpp"
+#include "twin/model/copy_body.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -107,7 +108,6 @@ Json logOf(const Part& part, std::size_t number, Joint joint, double length_m) {
 
 std::vector<std::string> writeJointCase(const JointCaseRequest& request, const std::string& folder) {
   twin::Model model = twin::readModel(twin::findModel(request.model));
-  const fs::path body = fs::path{model.folder} / model.body.xml;
   const std::vector<Part> parts = partsOf(request, model);
   const double length_m = lengthOf(parts.front());
   model.servo.supply_v = parts.front().what.supply_v;
@@ -136,7 +136,8 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
     done.push_back(sentence(parts[i], made.logs[i].file));
   }
   writeCase(made, folder);
-  if (fs::exists(body)) fs::copy_file(body, fs::path{folder} / body.filename(), fs::copy_options::overwrite_existing);
+  if (const std::string wrong = twin::copyBody(model, folder, twin::OtherBody::kReplace); !wrong.empty())
+    throw std::runtime_error(wrong);
   return done;
 }
 

@@ -1,11 +1,13 @@
 // Arguments of `darwinop gap`: options count before and behind the name of a command.
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
 #include <utility>
 
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
+#include "twin/model/messages.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -38,6 +40,21 @@ TEST(GapOptions, ALogInPlaceOfACaseIsRefusedWithItsFolder) {
   const Outcome refused = shell(kGap + " check " + kExample + "/fit_1.csv");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.said, testing::HasSubstr(kExample));
+}
+
+// A model file is written with its body, which readers look for beside it.
+TEST(GapOptions, AModelThatIsWrittenHasItsBody) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"own", "other"}) std::filesystem::create_directory(folder / name);
+  std::ofstream{folder / "own/model.ini"} << "[model]\nname = own\n[body]\nxml = own.xml\n";
+  std::ofstream{folder / "own/own.xml"} << "<mujoco/>";
+  const std::string add = " add " + kExample + " --effect coulomb.friction=0.05 --model " + (folder / "own/model.ini");
+  const Outcome added = shell(kGap + add + " --out " + (folder / "other/repaired.ini"));
+  EXPECT_EQ(added.status, 0) << added.said;
+  EXPECT_TRUE(std::filesystem::exists(folder / "other/own.xml"));
+  std::ofstream{folder / "other/own.xml"} << "<other/>";
+  EXPECT_THAT(shell(kGap + add + " --out " + (folder / "other/repaired.ini")).said,
+              testing::HasSubstr(twin::messages::kNotTheBody));
 }
 
 // They are refused before the case is read as a whole.

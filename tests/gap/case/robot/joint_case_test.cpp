@@ -121,6 +121,17 @@ TEST_F(JointCase, EachRecordingHasItsOwnSupplyAndRowsWhateverItsName) {
   EXPECT_NEAR(supplyOf(made, made.logs[1]), 10.6, 1e-9);
 }
 
+// readCase() refuses a model whose body it does not find.
+TEST_F(JointCase, HasTheBodyOfItsModelUnderTheSameName) {
+  const std::filesystem::path shipped = twin::findModel("darwin-op"), body = shipped.parent_path() / "darwin-op.xml";
+  std::filesystem::create_directories(file("own/bodies"));
+  std::filesystem::copy_file(body, file("own/bodies/own.xml"));
+  std::ofstream{file("own/own.ini")} << "[model]\nname = own\n[body]\nxml = bodies/own.xml\n";
+  std::ofstream{file("swing.csv")} << recordedSwing();
+  writeJointCase({.model = file("own/own.ini"), .recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
+  EXPECT_EQ(readCase(file("case")).model.folder, file("case"));
+}
+
 TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {
   std::ofstream{file("swing.csv")} << recordedSwing();
   const logs::Log log = logs::readLog(file("swing.csv"));
