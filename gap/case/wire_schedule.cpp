@@ -15,6 +15,10 @@ constexpr double kBytesPerMs = 100;
 /// where a reply is missing and the rest of the bytes cannot be assigned.
 constexpr double kGoalsOnly = 8 + 20 * 3;
 
+bool everAnswers(const Trajectory& joint) {
+  return std::ranges::any_of(joint.position_rad, [](double value) { return !std::isnan(value); });
+}
+
 }  // namespace
 
 CycleSchedule cycleSchedule(double total_bytes, std::span<const double> replies) {
@@ -42,17 +46,21 @@ void fillWireSchedule(const logs::Log& recording, std::span<Trajectory> joints) 
   const logs::Column* const total = recording.find("bus.wire");
   if (total == nullptr || total->unit != "ms") return;
   for (Trajectory& joint : joints) joint.written_s.clear(), joint.read_s.clear();
-  std::vector<double> replies(joints.size());
+  std::vector<Trajectory*> present;
+  for (Trajectory& joint : joints)
+    if (everAnswers(joint)) present.push_back(&joint);
+  std::vector<double> replies(present.size());
   for (std::size_t row = 0; row < recording.rows(); ++row) {
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const bool is_polled = !std::isnan(joints[i].volt_v[row]);
-      replies[i] = std::isnan(joints[i].position_rad[row]) ? 0 : is_polled ? wire::kOfPolled : wire::kOfServo;
+    for (std::size_t i = 0; i < present.size(); ++i) {
+      const bool is_polled = !std::isnan(present[i]->volt_v[row]);
+      replies[i] = std::isnan(present[i]->position_rad[row]) ? 0 : is_polled ? wire::kOfPolled : wire::kOfServo;
     }
     const CycleSchedule cycle = cycleSchedule(total->values[row] * kBytesPerMs, replies);
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      joints[i].written_s.push_back(cycle.written_s);
-      joints[i].read_s.push_back(cycle.servo_s[i]);
+    for (Trajectory& joint : joints) {
+      joint.written_s.push_back(cycle.written_s);
+      joint.read_s.push_back(cycle.board_s);  // of one that never answers: it is not read
     }
+    for (std::size_t i = 0; i < present.size(); ++i) present[i]->read_s.back() = cycle.servo_s[i];
   }
 }
 

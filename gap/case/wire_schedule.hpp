@@ -28,7 +28,7 @@ struct CycleSchedule {
 CycleSchedule cycleSchedule(double total_bytes, std::span<const double> replies);
 
 /// Fills written_s and read_s of the joints of one recording. Nothing where the file does not have `bus.wire`: rows are
-/// then read before their goals are written.
+/// then read before their goals are written. A joint that never answers has no servo, as `absent` of robot.ini says.
 void fillWireSchedule(const logs::Log& recording, std::span<Trajectory> joints);
 
 /// The simulated robot of a lockstep run: its servos' firmware runs in step with the loop. Else the phase of a servo's

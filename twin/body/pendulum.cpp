@@ -22,6 +22,12 @@ void setGravity(mjModel& m, mjData& d, const BodyMap& map, const std::array<doub
   mju_copy4(d.qpos + map.trunk_qpos + 3, upright);
 }
 
+/// The body on the trunk that carries `body`: arms, legs and head are one each.
+int limbOf(const mjModel& m, const BodyMap& map, int body) {
+  while (m.body_parentid[body] != map.trunk && m.body_parentid[body] != 0) body = m.body_parentid[body];
+  return body;
+}
+
 }  // namespace
 
 JointPendulum pendulumOf(const Model& model, Joint joint, const std::array<double, kJoints>& angles_rad,
@@ -33,8 +39,14 @@ JointPendulum pendulumOf(const Model& model, Joint joint, const std::array<doubl
   const BodyMap map = mapBody(m, model.body.xml);
   m.opt.disableflags |= mjDSBL_CONSTRAINT;
   setGravity(m, d, map, accel_m_s2);
-  for (std::size_t i = 0; i < kJoints; ++i) d.qpos[map.qpos[i]] = angles_rad[i];
   const auto i = static_cast<std::size_t>(joint);
+  for (std::size_t other = 0; other < kJoints; ++other) {
+    const bool is_known = !std::isnan(angles_rad[other]);
+    if (!is_known && other != i && limbOf(m, map, map.link[other]) == limbOf(m, map, map.link[i]))
+      throw std::runtime_error(std::string{kJointTable[other].name} + messages::kAngleUnknown +
+                               std::string{kJointTable[i].name} + " depends on its angle; check its cable");
+    d.qpos[map.qpos[other]] = is_known ? angles_rad[other] : 0;  // that of another limb has no effect
+  }
   const int dof = map.dof[i];
   // Holding torque: weight sin(q - hangs_at).
   std::array<double, 2> holding{};

@@ -12,7 +12,7 @@ namespace darwinop::gap {
 /// A part of a recording in which one joint is commanded to move, or limp, while all others hold their goals.
 struct AlonePart {
   double from_s, to_s;                     // of the recording's own clock
-  std::array<double, kJoints> angles_rad;  // mean position of each joint
+  std::array<double, kJoints> angles_rad;  // mean position of each joint; NaN: it does not answer
   std::array<double, 3> accel_m_s2;        // mean; right, forward, up
   double supply_v;                         // of the board, mean
 };

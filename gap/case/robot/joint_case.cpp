@@ -41,6 +41,14 @@ std::string sentence(const Part& part, const std::string& log) {
   return text;
 }
 
+twin::JointPendulum pendulumOf(const twin::Model& model, Joint joint, const AlonePart& part, const std::string& file) {
+  try {
+    return twin::pendulumOf(model, joint, part.angles_rad, part.accel_m_s2);
+  } catch (const std::runtime_error& unknown) {
+    throw std::runtime_error(file + ": " + unknown.what());
+  }
+}
+
 std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& model) {
   std::vector<Part> parts;
   double session_s = 0;
@@ -54,8 +62,7 @@ std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& mo
     const fs::path path{file};
     for (const AlonePart& one : found)
       parts.push_back({file, path.filename().string(), log.headValue("experiment").value_or(path.stem().string()),
-                       held_out, one, session_s - log.seconds(0),
-                       twin::pendulumOf(model, request.joint, one.angles_rad, one.accel_m_s2)});
+                       held_out, one, session_s - log.seconds(0), pendulumOf(model, request.joint, one, file)});
     session_s += log.seconds(log.rows() - 1) - log.seconds(0);
   };
   for (const std::string& file : request.recordings) add(file, false);

@@ -52,6 +52,14 @@ TEST(WireSchedule, WithoutAReplyTheFrameOfGoalsIsTakenAsUsual) {
   EXPECT_NEAR(all[0].written_s[0], 0.68e-3, 1e-9);
 }
 
+TEST(WireSchedule, AJointWithoutAServoIsNotAskedFor) {
+  std::vector<Trajectory> all = joints();
+  all[19].position_rad.assign(3, std::nan(""));
+  fillWireSchedule(recordingWith("4.16"), all);  // goals with settings: 85 bytes; request 67, board 36, 19 times 12
+  EXPECT_NEAR(all[0].written_s[0], 0.85e-3, 1e-9);
+  EXPECT_NEAR(all[18].read_s[0], (0.85 + 0.67 + 0.36 + 18 * 0.12) * 1e-3, 1e-9);
+}
+
 TEST(WireSchedule, ARecordingWithoutBytesIsReadBeforeItsGoalsAreWritten) {
   std::vector<Trajectory> all = joints();
   fillWireSchedule(logs::parseLog("time_s,cycle\n0,1\n0.016,2\n0.032,3\n", "other.csv"), all);

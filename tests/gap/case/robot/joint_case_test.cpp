@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
+#include <optional>
 
 #include "experiments/logs/read_log.hpp"
 #include "gap/case/robot/alone.hpp"
@@ -25,8 +27,8 @@ std::string nameOf(std::size_t joint) {
 }
 
 /// What the runtime would have recorded of the twin: the right arm is stretched, swings at the shoulder, and goes limp.
-/// `began_s`: of the recording's clock.
-std::string recordedSwing(double began_s = 0) {
+/// `began_s`: of the recording's clock. `silent`: a joint that is neither driven nor answers.
+std::string recordedSwing(double began_s = 0, std::optional<Joint> silent = {}) {
   twin::RobotBody body{twin::readModel(twin::findModel("darwin-op"))};
   Drives drives;
   for (std::size_t i = 0; i < kJoints; ++i)
@@ -58,7 +60,9 @@ std::string recordedSwing(double began_s = 0) {
     if (t > 3) shoulder.goal_rad = t < 3.8 ? 0.7 : t < 4.6 ? -0.3 : 0.9;
     shoulder.torque_on = t < 5.5;
     for (std::size_t i = 0; i < kJoints; ++i)
-      text += (drives[i].torque_on ? number(drives[i].goal_rad) : ",") + number(state.joint[i].position_rad);
+      text += static_cast<Joint>(i) == silent
+                  ? ",,"
+                  : (drives[i].torque_on ? number(drives[i].goal_rad) : ",") + number(state.joint[i].position_rad);
     const JointMotion& reading = state.joint[index(Joint::kShoulderR)];
     text += ",4,," + std::to_string(reading.velocity_rad_s) + number(reading.load) + ",,30\n";
     for (int ms = 0; ms < 16; ++ms) body.step(std::chrono::milliseconds{1}, drives);
@@ -130,6 +134,27 @@ TEST_F(JointCase, HasTheBodyOfItsModelUnderTheSameName) {
   std::ofstream{file("swing.csv")} << recordedSwing();
   writeJointCase({.model = file("own/own.ini"), .recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
   EXPECT_EQ(readCase(file("case")).model.folder, file("case"));
+}
+
+// As `absent` of robot.ini, or with a broken cable.
+TEST_F(JointCase, DoesNotDependOnServosOfOtherLimbs) {
+  std::map<std::string, Case> made;
+  for (const auto& [of, silent] : {std::pair{"all", std::optional<Joint>{}}, {"no_neck", Joint::kNeck}}) {
+    std::ofstream{file("swing.csv")} << recordedSwing(0, silent);
+    writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file(of));
+    made[of] = readCase(file(of));
+  }
+  const Trajectory &all = made["all"].logs.at(0), &no_neck = made["no_neck"].logs.at(0);
+  EXPECT_EQ(no_neck.position_rad, all.position_rad);
+  EXPECT_DOUBLE_EQ(no_neck.payload_kg, all.payload_kg);
+  EXPECT_DOUBLE_EQ(made["no_neck"].pendulum.length_m, made["all"].pendulum.length_m);
+  std::ofstream{file("no_elbow.csv")} << recordedSwing(0, Joint::kArmLowerR);
+  try {
+    writeJointCase({.recordings = {file("no_elbow.csv")}, .held_out = {}}, file("case"));
+    ADD_FAILURE() << "the angle of the elbow is in the weight of the arm";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr(std::string{"ArmLowerR"} + twin::messages::kAngleUnknown));
+  }
 }
 
 TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {
