@@ -3,6 +3,12 @@
 
 namespace darwinop::gap::messages {
 
+// joints without a servo, or with a broken cable
+inline constexpr const char* kSilentInSome =
+    " never answers, but does in another log; check its cable and measure again, or leave the log out";
+inline constexpr const char* kNeverAnswer =
+    ": no answer in any log, so neither the limb nor the robot on the floor is tested";
+
 // case.json
 inline constexpr const char* kBeyondFolder = "is outside the folder of the case";
 inline constexpr const char* kDigitsBeyondDouble = "a number has more digits than any number can have";

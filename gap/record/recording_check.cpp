@@ -17,9 +17,15 @@ constexpr double kHeld = 1.0;                 // s before row 0, gap/plant/body/
 constexpr double kWrongSide = kPi / 6;        // rad: a stand turned by hand is off by a few degrees
 constexpr double kSame = 0.75 * kRadPerTick;  // of a goal, beside rounding
 
+bool isEmpty(const logs::Column& column) {
+  return std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
+}
+
+/// `goals`: null: of a joint that is never commanded, as it has no servo.
 bool isHeld(std::size_t row, const experiments::Pose& pose, const std::vector<const logs::Column*>& goals) {
   for (std::size_t joint = 0; joint < kJoints; ++joint)
-    if (!(std::abs(goals[joint]->values[row] - pose[joint]) < kSame)) return false;  // NaN: not driven
+    if (goals[joint] != nullptr && !(std::abs(goals[joint]->values[row] - pose[joint]) < kSame))
+      return false;  // NaN: not driven
   return true;
 }
 
@@ -52,13 +58,17 @@ double misplacedBy(const BodyCase& given, const RestingImu& imu) {
 
 void findUsedRows(const logs::Log& recording, const experiments::Pose& pose, double phases_s, MadeRecording& made) {
   std::vector<const logs::Column*> goals;
-  for (const JointRow& joint : kJointTable) goals.push_back(&recording.column(std::string{joint.name} + ".commanded"));
+  for (const JointRow& joint : kJointTable) {
+    const logs::Column& goal = recording.column(std::string{joint.name} + ".commanded");
+    goals.push_back(isEmpty(goal) ? nullptr : &goal);
+  }
   std::size_t from = 0, to = 0;
-  for (; from < recording.rows(); from = to + 1) {
+  const bool is_driven = std::ranges::any_of(goals, [](const logs::Column* goal) { return goal != nullptr; });
+  for (; is_driven && from < recording.rows(); from = to + 1) {
     for (to = from; to < recording.rows() && isHeld(to, pose, goals);) ++to;
     if (to > from && recording.seconds(to - 1) - recording.seconds(from) >= kHeld) break;
   }
-  if (from >= recording.rows())
+  if (!is_driven || from >= recording.rows())
     throw BadInput(recording.file +
                    ": the robot never held the setup pose for a second; is a controller limited by "
                    "config.ini or robot.ini? Record it again");
@@ -88,6 +98,10 @@ std::vector<std::string> problemsOf(const logs::Log& recording, const std::strin
   std::vector<std::string> out = given.warnings;
   if (const std::size_t lost = given.logs.front().lost_rows + check.late_rows; lost > 0)
     out.push_back(text::formatted("%zu cycles are missing; end other programs on this computer", lost));
+  for (std::size_t joint = 0; joint < kJoints; ++joint)
+    if (const std::string name{kJointTable[joint].name};
+        given.is_absent[joint] && !isEmpty(recording.column(name + ".commanded")))
+      out.push_back(name + messages::kDrivenNeverAnswers);
   std::vector<std::string_view> stuck = check.unmoved;
   std::erase_if(stuck, [&](std::string_view joint) { return !isAskedToMove(given, joint); });
   if (!stuck.empty())

@@ -10,6 +10,10 @@
 #include "gap/record/recordings.hpp"
 
 namespace darwinop::gap {
+namespace messages {
+inline constexpr const char* kDrivenNeverAnswers =
+    " is commanded and never answers; check its cable, or name it in `absent` of robot.ini";
+}  // namespace messages
 
 /// What of a recording is used: from when all joints have held the setup pose for a second, to the end of the phases.
 /// Fills from_s, to_s and the battery's voltage. Throws BadInput, a sentence, where the robot never held the pose.

@@ -2,6 +2,7 @@
 // docs/gap/body.md shows the files. SI units; NaN: not known.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -55,7 +56,10 @@ struct BodyCase {
   std::map<std::string, double, std::less<>> trust;  // prior sigmas, by key; none: the numbers are exact
   std::vector<BodyLog> logs;
   std::vector<std::string> warnings;  // sentences about data that are unusual but usable
+  std::array<bool, kJoints>
+      is_absent{};  // joints that never answer: they count as limp, and their limbs are not tested
 
+  [[nodiscard]] bool isComplete() const { return std::ranges::find(is_absent, true) == is_absent.end(); }
   /// Prior sigma of a number of the model; 0: exact.
   [[nodiscard]] double sigmaOf(std::string_view key) const {
     const auto found = trust.find(key);
@@ -65,6 +69,9 @@ struct BodyCase {
     return joints.logs[log * kJoints + joint];
   }
 };
+
+/// "Neck and Head: no answer ..."; empty: the robot is complete.
+std::string absentText(const BodyCase& given);
 
 /// True: case.json in this folder is of the whole robot. Throws BadInput.
 bool isBodyCase(const std::string& folder);

@@ -44,6 +44,7 @@ BodyLogCheck checkOf(const BodyCase& given, std::size_t i) {
   out.late_rows =
       static_cast<std::size_t>(std::ranges::count_if(steps, [&](double step) { return step > 1.5 * out.period_s; }));
   for (std::size_t j = 0; j < kJoints; ++j) {
+    if (given.is_absent[j]) continue;
     const Trajectory& joint = given.joint(i, j);
     const auto limp = std::ranges::count(joint.torque_on, 0);
     if (limp > 0) out.limp.push_back(kJointTable[j].name);
@@ -97,6 +98,7 @@ BodyCheck checkData(const BodyCase& given) {
   else if (out.orientations < 3)
     out.cannot_show.push_back("bias, scale, axes and mounting of the accelerometer apart: gravity is along " +
                               std::to_string(out.orientations) + " of 3 axes; clamp the trunk on a side and face down");
+  if (!given.isComplete()) out.cannot_show.push_back(absentText(given));
   const auto has = [&](const auto& is) { return std::ranges::any_of(out.logs, is); };
   if (!has([](const BodyLogCheck& log) { return !log.limp.empty(); }))
     out.cannot_show.emplace_back("friction apart from the motor: record a joint that falls limp");

@@ -65,12 +65,14 @@ std::size_t lostRows(const logs::Log& log) {
   return span > rows && span < kMostCycles ? static_cast<std::size_t>(span - rows) : 0;
 }
 
-/// A servo that is silent for long has another fault than a model can have.
-void checkAnswers(const logs::Log& log, const logs::Column& position) {
+/// False: never. A servo that is silent for long has another fault than a model can have.
+bool answers(const logs::Log& log, const logs::Column& position) {
   const auto silent = std::ranges::count_if(position.values, [](double value) { return std::isnan(value); });
+  if (silent == std::ssize(position.values)) return false;
   if (static_cast<double>(silent) > kMostMasked * static_cast<double>(log.rows()))
     throw BadInput(log.file + ": column " + position.name + " is empty in " + std::to_string(silent) + " of " +
                    std::to_string(log.rows()) + " rows; check the cable of that servo and measure again");
+  return true;
 }
 
 /// The servo's own speed limit, rad/s; 0: none is known. Where it changes it is not replayed.
@@ -130,7 +132,7 @@ logs::Log cutAtFall(logs::Log log, BodyLog& head) {
 Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
   constexpr const Register& gain = find(kMx28, "p_gain");
   const ServoColumns columns = servoColumns(log, joint, NeededColumns::kLaw);
-  checkAnswers(log, *columns.position);
+  const bool is_absent = !answers(log, *columns.position);
   checkRange(log, *columns.goal, -kTurns, kTurns, "is it in degrees?");
   checkRange(log, *columns.position, -kTurns, kTurns, "is it in degrees?");
   checkRange(log, *columns.load, -1.01, 1.01, "a load is a fraction of the greatest duty");
@@ -152,6 +154,7 @@ Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
     const double asked = columns.p_gain->values[row];
     out.p_register_of_row.push_back((std::isnan(asked) ? kDefaultPGain : asked) / gain.scale);
   }
+  if (is_absent) std::ranges::fill(out.goal_rad, 0), std::ranges::fill(out.torque_on, 0);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/text/formatted.hpp"
+#include "core/text/nearest.hpp"
 #include "gap/case/fields.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
@@ -116,7 +117,29 @@ void readLogs(Fields& top, BodyCase& into) {
     if (!repeats[i].empty()) into.logs[i].repeat_of = logCalled(top, into, i, repeats[i]);
 }
 
+/// A joint is absent in all logs; in some, its cable is loose.
+void findAbsent(BodyCase& into) {
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    const auto answers = [&](std::size_t log) {
+      return std::ranges::any_of(into.joint(log, joint).position_rad, [](double value) { return !std::isnan(value); });
+    };
+    std::vector<std::string_view> silent;
+    for (std::size_t log = 0; log < into.logs.size(); ++log)
+      if (!answers(log)) silent.push_back(into.logs[log].file);
+    into.is_absent[joint] = silent.size() == into.logs.size();
+    if (!silent.empty() && !into.is_absent[joint])
+      throw BadInput(text::listed(silent) + ": " + std::string{kJointTable[joint].name} + messages::kSilentInSome);
+  }
+}
+
 }  // namespace
+
+std::string absentText(const BodyCase& given) {
+  std::vector<std::string_view> absent;
+  for (std::size_t joint = 0; joint < kJoints; ++joint)
+    if (given.is_absent[joint]) absent.push_back(kJointTable[joint].name);
+  return absent.empty() ? "" : text::listed(absent) + messages::kNeverAnswer;
+}
 
 std::string_view name(BodySetup setup) {
   return kSetups[static_cast<std::size_t>(setup)];
@@ -149,6 +172,7 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
       out.warnings.push_back(log.file +
                              text::formatted(": the robot falls at %.2f s; what follows is left out", *log.fell_at_s));
   }
+  findAbsent(out);
   out.joints.name = out.name;
   out.joints.folder = out.folder;
   return out;

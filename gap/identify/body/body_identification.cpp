@@ -89,7 +89,7 @@ BodyIdentification identify(const BodyCase& given, BodyScope scope) {
                                    : identifyMovingGyro(given, clampedModel(robot, out));
     std::vector<BodyRow> rows = std::move(out.table.rows);
     rows.insert(rows.end(), out.floor.rows.begin(), out.floor.rows.end());
-    out.table = tableOf(std::move(rows));
+    out.table = tableOf(std::move(rows), given);
     if (!legs_are_explained) out.table.not_tested = {"trunk, floor, contact: joints of a leg are not explained"};
     const FloorModel declared{.robot = {.robot = {bodyBaselineOf(given), {}}, .floor = {}}};
     out.held_out = heldOutGap(given, declared, finalModel(robot, out));

@@ -48,6 +48,13 @@ class HeldOutSimulation {
     }
     return out;
   }
+  /// Without limbs that have a joint which never answers.
+  [[nodiscard]] Signals simulatedOf(Signals measured) const {
+    for (const Limb& limb : limbs_)
+      if (!isRecorded(given_, limb))
+        for (const Link& link : limb) measured.col(static_cast<Eigen::Index>(link.joint)).setConstant(kUnknown);
+    return measured;
+  }
   /// Sensors of a clamped trunk alone.
   [[nodiscard]] Signals atRest(std::size_t log, const ImuDeviation& imu) const {
     const BodyLog& of = given_.logs[log];
@@ -114,7 +121,7 @@ HeldOutGap heldOutGap(const BodyCase& given, const FloorModel& declared, const F
   GapSum before, after, floor;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(kFloorSignals), variance = readingVariance(given);
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    const Signals measured = measuredIn(given, logs[i]), *const of = &runs[kRuns * i];
+    const Signals measured = simulation.simulatedOf(measuredIn(given, logs[i])), *const of = &runs[kRuns * i];
     before.add(measured, measured - of[0], none);
     after.add(measured, measured - of[1], none);
     for (std::size_t run = 2; run < kRuns; ++run) floor.add(measured, of[run] - of[1], variance);

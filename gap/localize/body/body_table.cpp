@@ -8,8 +8,9 @@
 namespace darwinop::gap {
 namespace {
 
-std::vector<std::string> notTested(const std::vector<BodyRow>& rows) {
+std::vector<std::string> notTested(const std::vector<BodyRow>& rows, const BodyCase& given) {
   std::vector<std::string> out;
+  if (!given.isComplete()) out.push_back(absentText(given));
   if (std::ranges::none_of(rows, [](const BodyRow& row) { return row.place.kind == Place::Kind::kContact; }))
     out.emplace_back(
         "trunk, floor, contact, gyroscope in motion: no log with \"setup\": \"floor\" that is not of the runtime, or "
@@ -29,9 +30,10 @@ std::size_t BodyTable::open() const {
   return static_cast<std::size_t>(std::ranges::count_if(rows, &BodyRow::open));
 }
 
-BodyTable tableOf(std::vector<BodyRow> rows) {
+BodyTable tableOf(std::vector<BodyRow> rows, const BodyCase& given) {
+  std::erase_if(rows, [](const BodyRow& row) { return !row.is_measured; });
   BodyTable table{.rows = std::move(rows), .not_tested = {}};
-  table.not_tested = notTested(table.rows);
+  table.not_tested = notTested(table.rows, given);
   table.open_from =
       sigmasOfChance(thresholds::kFalseDiscoveries / std::max<double>(1, static_cast<double>(table.rows.size())));
   for (BodyRow& row : table.rows) row.open = row.significance > table.open_from;
@@ -52,13 +54,13 @@ std::vector<BodyRow> ownRows(const BodyCase& given, const RestingImu& imu) {
 }  // namespace
 
 BodyTable localize(const BodyCase& given, const RestingImu& imu) {
-  return tableOf(ownRows(given, imu));
+  return tableOf(ownRows(given, imu), given);
 }
 
 BodyTable localize(const BodyCase& given, const RestingImu& imu, const ClampedRobot& robot) {
   std::vector<BodyRow> rows = ownRows(given, imu);
   for (BodyRow& row : mechanicsRows(robot, robot.baseline())) rows.push_back(std::move(row));
-  return tableOf(std::move(rows));
+  return tableOf(std::move(rows), given);
 }
 
 }  // namespace darwinop::gap

@@ -24,6 +24,7 @@ struct BodyRow {
   double floors = 0;        // that, over the noise of one reading
   double significance = 0;  // standard deviations of a normal distribution, after what the priors explain
   bool open = false;        // beyond BodyTable::open_from
+  bool is_measured = true;  // false: of a limb with a joint that never answers
 
   // Where it is largest: half a second of a log.
   std::string file = {};
@@ -40,8 +41,8 @@ struct BodyTable {
   [[nodiscard]] std::size_t open() const;
 };
 
-/// Most significant first, with the level that their number asks for.
-BodyTable tableOf(std::vector<BodyRow> rows);
+/// Those that are measured, most significant first, with the level that their number asks for.
+BodyTable tableOf(std::vector<BodyRow> rows, const BodyCase& given);
 /// Deterministic; under a second for ten logs. Only logs that are not held out.
 BodyTable localize(const BodyCase& given, const RestingImu& imu);
 /// With the mechanics of the joints.

@@ -23,6 +23,7 @@ std::string_view floorUnit(std::size_t signal) {
 
 std::vector<std::size_t> floorLogs(const BodyCase& given, bool held_out) {
   std::vector<std::size_t> logs;
+  if (!given.isComplete()) return logs;
   for (std::size_t i = 0; i < given.logs.size(); ++i)
     if (given.logs[i].setup != BodySetup::kClamped && given.logs[i].held_out == held_out &&
         !given.joint(i, 0).isReadAfterWrite())

@@ -36,7 +36,7 @@ enum class EngineNumber : std::uint8_t { kNone, kContactTime };
 using FloorTraces = std::vector<FloorTrace>;
 
 /// Logs on the floor or lying that are held out, or the others. Not those of the runtime, whose servos are read between
-/// two rows: on the floor that is not simulated.
+/// two rows: on the floor that is not simulated, nor is a robot with a joint that never answers.
 std::vector<std::size_t> floorLogs(const BodyCase& given, bool held_out);
 
 /// There is such a log for fits, and the servos' law can be simulated.

@@ -63,7 +63,7 @@ BodyTable withFloor(BodyTable table, const ClampedRobot& robot) {
   const FloorResiduals residuals{given, floorLogs(given, false), imu, about};
   for (BodyRow& row : floorRows(given, residuals, residuals.baseTraces(), about.imu))
     table.rows.push_back(std::move(row));
-  return tableOf(std::move(table.rows));
+  return tableOf(std::move(table.rows), given);
 }
 
 }  // namespace darwinop::gap

@@ -78,6 +78,7 @@ LimbResiduals::LimbResiduals(const BodyCase& given, std::vector<std::size_t> log
       if (is_lost[r] && !block.is_load) measured_[block.begin + row] = std::numeric_limits<double>::quiet_NaN();
     }
   }
+  if (!isRecorded(given, limb_)) measured_.setConstant(std::numeric_limits<double>::quiet_NaN());
   estimateNoise(moved(about, numbers_));
   addPriors(about);
   forgetUnmeasured(measured_, directions_);

@@ -25,7 +25,8 @@ std::vector<BodyRow> limbRows(const ClampedRobot& robot, std::size_t limb, const
     BodyRow row{.signal = name + ".position",
                 .place = {.kind = Place::Kind::kJoint, .name = name},
                 .block = Block::kPlant,
-                .unit = "rad"};
+                .unit = "rad",
+                .is_measured = isRecorded(robot.given(), robot.limbs()[limb])};
     double square = 0, sigma = 0, z = 0, count = 0, worst = 0;
     for (const LimbSamples& block : residuals.blocks()) {
       if (block.is_load || block.joint != static_cast<Eigen::Index>(joint)) continue;

@@ -105,6 +105,11 @@ double supplyAt(const BodyLog& log, std::size_t row, const BodyHypothesis& hypot
   return is_measured ? log.board_v[row] : log.battery_v;
 }
 
+bool isRecorded(const BodyCase& given, const Limb& limb) {
+  return std::ranges::none_of(limb,
+                              [&](const Link& link) { return given.is_absent[static_cast<std::size_t>(link.joint)]; });
+}
+
 LimbTrace rollOut(const BodyCase& given, std::size_t log, const Limb& limb, const BodyHypothesis& hypothesis,
                   const Disturbance* noise) {
   return LimbRun{given, log, limb, hypothesis, noise}.run();

@@ -26,6 +26,9 @@ struct BodyHypothesis {
 /// V, of the servos from this row on.
 double supplyAt(const BodyLog& log, std::size_t row, const BodyHypothesis& hypothesis);
 
+/// All its joints answer.
+bool isRecorded(const BodyCase& given, const Limb& limb);
+
 /// Of each row, the encoder's position and the duty in the last firmware cycle before it. rows x joints of the limb.
 struct LimbTrace {
   Eigen::MatrixXd position_rad, duty;

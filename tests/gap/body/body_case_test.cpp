@@ -88,6 +88,14 @@ TEST(BodyCase, AServoThatIsSilentForLongIsRefused) {
   EXPECT_THAT(texts.error(), AllOf(HasSubstr("my/side.csv"), HasSubstr("ShoulderR.position")));
 }
 
+TEST(BodyCase, AServoThatAnswersInSomeLogsOnlyIsRefused) {
+  BodyTexts texts;
+  SyntheticRobot without;
+  without.absent_joint = index(Joint::kNeck);
+  texts.logs["side.csv"] = without.recording({-1, 0, 0}, 2);
+  EXPECT_THAT(texts.error(), HasSubstr(std::string{"side.csv: Neck"} + messages::kSilentInSome));
+}
+
 TEST(BodyCase, IsNotReadAsACaseOfOneServo) {
   const BodyTexts texts;
   try {

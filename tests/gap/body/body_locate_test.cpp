@@ -1,7 +1,9 @@
 // Table of signal, place and block, from recordings that the test writes.
 #include <gmock/gmock.h>
 
+#include "gap/body/moving_robot.hpp"
 #include "gap/body/synthetic_robot.hpp"
+#include "gap/case/body/body_check.hpp"
 #include "gap/localize/body/body_table.hpp"
 
 namespace darwinop::gap {
@@ -91,6 +93,31 @@ TEST(BodyLocate, AnAccelerometerTurnedInTheTrunkOpensTheTwoAxesThatTurn) {
   SyntheticRobot robot;
   robot.yaw_rad = 0.05;
   EXPECT_THAT(openSignals(tableOf(robot)), UnorderedElementsAre("accelerometer.x", "accelerometer.z"));
+}
+
+TEST(BodyLocate, AJointThatNeverAnswersIsNotTestedAndTheOthersAre) {
+  SyntheticRobot robot;
+  robot.absent_joint = index(Joint::kNeck);
+  const BodyCase given = BodyTexts{robot}.read();
+  const std::string absent = absentText(given);
+  EXPECT_THAT(absent, testing::StartsWith("Neck:"));
+  EXPECT_THAT(checkData(given).cannot_show, testing::Contains(absent));
+  EXPECT_THAT(checkData(given).logs.front().unmoved, IsEmpty());
+  const BodyTable table = tableOf(robot);
+  EXPECT_THAT(openSignals(table), IsEmpty());
+  EXPECT_EQ(table.rows.size(), 2 * (kJoints - 1) + 6);
+  EXPECT_THAT(table.not_tested, testing::Contains(absent));
+}
+
+TEST(BodyLocate, ALimbWithAJointThatNeverAnswersIsNotSimulated) {
+  BodyCase given = movingRobot(shippedRobot());
+  given.is_absent[index(Joint::kNeck)] = true;
+  for (std::size_t log = 0; log < given.logs.size(); ++log)
+    std::ranges::fill(given.joints.logs[log * kJoints + index(Joint::kNeck)].position_rad, std::nan(""));
+  const BodyTable table = localize(given, RestingImu{given.joints.model}, ClampedRobot{given});
+  EXPECT_THAT(openSignals(table), IsEmpty());
+  const auto is_plant = [](const BodyRow& row) { return row.block == Block::kPlant; };
+  EXPECT_EQ(std::ranges::count_if(table.rows, is_plant), static_cast<std::ptrdiff_t>(kJoints) - 2) << "nor the head";
 }
 
 TEST(BodyLocate, WithoutAClampedLogTheSensorIsNotTested) {

@@ -115,6 +115,24 @@ TEST(BodyMechanics, AMassInTheHandIsNamedWithItsLink) {
   EXPECT_NEAR(found.placed.values[0], 0.06, 0.015);
 }
 
+TEST(BodyMechanics, AMassInTheHandIsNamedAlsoIfTheNeckNeverAnswers) {
+  BodyHypothesis hidden = shippedRobot();
+  hidden.links.push_back({.link = Joint::kArmLowerL, .mass_kg = 0.06, .from_com_m = {0, -0.055, 0}});
+  BodyCase given = movingRobot(hidden);
+  given.is_absent[index(Joint::kNeck)] = true;
+  for (std::size_t i = index(Joint::kNeck); i < given.joints.logs.size(); i += kJoints) {
+    Trajectory& neck = given.joints.logs[i];
+    std::ranges::fill(neck.position_rad, std::nan("")), std::ranges::fill(neck.load, std::nan(""));
+    std::ranges::fill(neck.goal_rad, 0), std::ranges::fill(neck.torque_on, 0);
+  }
+  const BodyIdentification answer = identify(given);
+  ASSERT_THAT(answer.mechanics.found, SizeIs(1));
+  EXPECT_EQ(answer.mechanics.found.front().placed.effect->id, "link_mass");
+  EXPECT_EQ(answer.mechanics.found.front().placed.joints.front(), Joint::kArmLowerL);
+  EXPECT_EQ(answer.table.not_tested.front(), absentText(given));
+  EXPECT_TRUE(std::isfinite(answer.held_out.after.joints)) << "of the joints that answer";
+}
+
 TEST(BodyMechanics, APriorOfTheFrictionHidesWhatItAllows) {
   BodyHypothesis hidden = shippedRobot();
   hidden.servos.with(*twin::findEffect("coulomb"), at(Joint::kNeck)).values = {0.033};

@@ -36,6 +36,8 @@ struct SyntheticRobot {
   double servo_sag_v = 0;  // of joint 3
   double p_gain_late = 4;  // Kp from the middle of a recording on
   std::size_t limp_joint = kJoints, limp_from = 60, limp_to = 100;
+  std::size_t absent_joint = kJoints;  // has no servo
+  bool commands_absent_joint = false;
   bool falls = false;
   std::uint64_t seed = 1;
   std::string trust = R"({"exact": true})";
@@ -71,6 +73,10 @@ struct SyntheticRobot {
       for (std::size_t i = 0; i < 3; ++i) text += "," + std::to_string(inSteps(still[i] + 0.04 * rng.normal(), 0.0766));
       text += ",11.8";
       for (std::size_t j = 0; j < kJoints; ++j) {
+        if (j == absent_joint) {
+          text += commands_absent_joint ? ",,0.1,,," : ",,,,,";
+          continue;
+        }
         const auto goal = [&](int k) { return 0.3 * std::sin(0.05 * k + static_cast<double>(j)); };
         const auto gain = [&](int k) { return k < kRows / 2 ? 4 : p_gain_late; };
         const auto limp = [&](int k) {

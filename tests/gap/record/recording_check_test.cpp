@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <span>
+
 #include "gap/body/synthetic_robot.hpp"
 
 namespace darwinop::gap {
@@ -54,18 +56,27 @@ TEST(RecordingCheck, AJointThatDoesNotMoveIsNamed) {
   EXPECT_THAT(problems.front(), HasSubstr("Neck"));
 }
 
+TEST(RecordingCheck, AJointWithoutAServoIsNoProblemUnlessItIsCommanded) {
+  SyntheticRobot robot;
+  robot.absent_joint = index(Joint::kNeck);
+  EXPECT_THAT(problemsIn(robot.recording({0, 1, 0}, 1)), IsEmpty());
+  robot.commands_absent_joint = true;
+  EXPECT_THAT(problemsIn(robot.recording({0, 1, 0}, 1)),
+              ElementsAre(std::string{"Neck"} + messages::kDrivenNeverAnswers));
+}
+
 /// Goals of all joints over `rows` rows: first elsewhere, then held, then in motion.
-std::string goalsText(int away, int held, int moving, const experiments::Pose& pose) {
+std::string goalsText(int away, int held, int moving, const experiments::Pose& pose, bool has_head = true) {
   std::string text = "time_s,board.voltage [V]";
   for (const JointRow& joint : kJointTable) text += "," + std::string{joint.name} + ".commanded [rad]";
   text += "\n";
   for (int row = 0; row < away + held + moving; ++row) {
     text += std::to_string(100 + 0.016 * row) + ",11.9";
-    for (const double goal : pose) {
+    for (const double goal : std::span{pose}.first(has_head ? kJoints : kJoints - 2)) {
       const double off = row < away ? 0.2 : row < away + held ? 0 : 0.01 * (row - away - held + 1);
       text += "," + std::to_string(goal + off);
     }
-    text += "\n";
+    text += has_head ? "\n" : ",,\n";
   }
   return text;
 }
@@ -77,6 +88,13 @@ TEST(UsedRows, BeginOneSecondAfterThePoseIsHeldAndEndWithThePhases) {
   EXPECT_NEAR(made.from_s, 100 + 0.016 * 50 + 1, 0.02);
   EXPECT_NEAR(made.to_s, 100 + 0.016 * 149 + 2, 0.001);
   EXPECT_DOUBLE_EQ(made.battery_v, 11.9);
+}
+
+TEST(UsedRows, DoNotWaitForJointsWithoutAServo) {
+  const experiments::Pose& pose = experiments::startPose();
+  MadeRecording made = madeOf({0, 1, 0});
+  findUsedRows(logs::parseLog(goalsText(50, 100, 200, pose, false), "up.csv"), pose, 2.0, made);
+  EXPECT_NEAR(made.from_s, 100 + 0.016 * 50 + 1, 0.02);
 }
 
 // The recording's clock is that of the computer: it was not started with the first recording.
