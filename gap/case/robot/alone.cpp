@@ -41,6 +41,7 @@ class Reader {
     speed_ = &log.column(name + ".asked_speed").values;
     for (std::size_t k = 0; k < 3; ++k) accel_[k] = &log.column(std::string{"accelerometer."} + "xyz"[k]).values;
     supply_ = &log.column("board.voltage").values;
+    own_voltage_ = &log.column(name + ".voltage").values;
   }
 
   std::vector<AlonePart> parts() const {
@@ -77,6 +78,7 @@ class Reader {
                   .accel_m_s2 = {},
                   .supply_v = mean(*supply_, from, to)};
     for (std::size_t i = 0; i < kJoints; ++i) out.angles_rad[i] = mean(*position_[i], from, to);
+    if (std::isnan(out.supply_v)) out.supply_v = mean(*own_voltage_, from, to);
     for (std::size_t k = 0; k < 3; ++k) out.accel_m_s2[k] = mean(*accel_[k], from, to);
     return out;
   }
@@ -84,7 +86,7 @@ class Reader {
   const logs::Log& log_;
   Joint joint_;
   std::vector<const Values*> commanded_, position_;
-  const Values *p_gain_, *speed_, *supply_;
+  const Values *p_gain_, *speed_, *supply_, *own_voltage_;
   std::array<const Values*, 3> accel_;
 };
 

@@ -13,8 +13,8 @@ namespace darwinop::gap {
 struct AlonePart {
   double from_s, to_s;                     // of the recording's own clock
   std::array<double, kJoints> angles_rad;  // mean position of each joint; NaN: it does not answer
-  std::array<double, 3> accel_m_s2;        // mean; right, forward, up
-  double supply_v;                         // of the board, mean
+  std::array<double, 3> accel_m_s2;        // mean; right, forward, up; NaN: no board
+  double supply_v;                         // mean of the board, or of the joint; NaN: neither is known
 };
 
 /// One for each P gain and speed limit, in the order of time; those of 2 s or more. Throws std::runtime_error for a log

@@ -1,6 +1,7 @@
 #include "gap/case/robot/joint_case.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -23,6 +24,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr std::array kUpright{0.0, 0.0, 9.81};  // what an accelerometer would read
+
+bool isTilted(const AlonePart& part) {
+  return std::ranges::none_of(part.accel_m_s2, [](double axis) { return std::isnan(axis); });
+}
+
 /// One log of the case.
 struct Part {
   std::string source, file, kind;
@@ -38,12 +45,15 @@ std::string sentence(const Part& part, const std::string& log) {
                 log.c_str(), part.file.c_str(), part.what.from_s, part.what.to_s,
                 part.held_out ? "held out" : "to be fitted", part.pendulum.weight_nm, part.pendulum.inertia_kgm2,
                 part.pendulum.hangs_at_rad);
-  return text;
+  std::string said = text;
+  if (!isTilted(part.what)) said += messages::kTakenAsUpright;
+  if (!(part.what.supply_v > 0)) said += messages::kSupplyOfModel;
+  return said;
 }
 
 twin::JointPendulum pendulumOf(const twin::Model& model, Joint joint, const AlonePart& part, const std::string& file) {
   try {
-    return twin::pendulumOf(model, joint, part.angles_rad, part.accel_m_s2);
+    return twin::pendulumOf(model, joint, part.angles_rad, isTilted(part) ? part.accel_m_s2 : kUpright);
   } catch (const std::runtime_error& unknown) {
     throw std::runtime_error(file + ": " + unknown.what());
   }
@@ -117,7 +127,7 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
   twin::Model model = twin::readModel(twin::findModel(request.model));
   const std::vector<Part> parts = partsOf(request, model);
   const double length_m = lengthOf(parts.front());
-  model.servo.supply_v = parts.front().what.supply_v;
+  if (const double supply = parts.front().what.supply_v; supply > 0) model.servo.supply_v = supply;
 
   Json json = {{"case", fs::path{folder}.filename().string()},
                {"model", "model.ini"},

@@ -8,6 +8,11 @@
 
 namespace darwinop::gap {
 
+namespace messages {
+inline constexpr const char* kTakenAsUpright = "; there is no accelerometer: the trunk counts as upright";
+inline constexpr const char* kSupplyOfModel = "; no voltage is known: the supply is that of the model";
+}  // namespace messages
+
 struct JointCaseRequest {
   std::string model = "darwin-op";  // a model file, or the name of a shipped one
   Joint joint = Joint::kShoulderR;
@@ -16,8 +21,9 @@ struct JointCaseRequest {
 };
 
 /// Makes the folder: case.json, model.ini, and a log for each part in which the joint moves alone. The pendulum that
-/// the joint swings is that of the model's body, in the pose and at the tilt of each recording; the supply is the
-/// board's. Returns what was done, a sentence a log. Throws std::runtime_error with a sentence.
+/// the joint swings is that of the model's body, in the pose and at the tilt of each recording, upright without a
+/// board; the supply is the board's or the joint's. Returns what was done, a sentence a log. Throws std::runtime_error
+/// with a sentence.
 std::vector<std::string> writeJointCase(const JointCaseRequest& request, const std::string& folder);
 
 }  // namespace darwinop::gap

@@ -136,6 +136,37 @@ TEST_F(JointCase, HasTheBodyOfItsModelUnderTheSameName) {
   EXPECT_EQ(readCase(file("case")).model.folder, file("case"));
 }
 
+// As with `board = none` in robot.ini. The servo reports its voltage.
+TEST_F(JointCase, OfARobotWithoutABoardIsUprightWithTheVoltageOfTheServo) {
+  std::istringstream lines{recordedSwing()};
+  std::string all, none;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::isdigit(line.front()) != 0) {
+      const std::size_t board = line.find(',', line.find(',') + 1);
+      std::size_t end = board;
+      for (int column = 0; column < 4; ++column) end = line.find(',', end + 1);
+      all += line + "\n";
+      line.replace(board, end - board, ",,,,");
+      none += line + "\n";
+    } else {
+      all += line + "\n", none += line + "\n";
+    }
+  }
+  std::ofstream{file("swing.csv")} << none;
+  const std::vector<std::string> said =
+      writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
+  EXPECT_THAT(said, testing::ElementsAre(testing::AllOf(testing::HasSubstr(messages::kTakenAsUpright),
+                                                        testing::HasSubstr(messages::kSupplyOfModel))));
+  for (std::size_t at = none.find(",,30\n"); at != none.npos; at = none.find(",,30\n", at + 1))
+    none.replace(at, 5, ",10.7,30\n");
+  std::ofstream{file("swing.csv")} << none;
+  writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("with"));
+  EXPECT_NEAR(readCase(file("with")).model.servo.supply_v, 10.7, 1e-9);
+  std::ofstream{file("swing.csv")} << all;
+  writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("board"));
+  EXPECT_NEAR(readCase(file("with")).logs[0].payload_kg, readCase(file("board")).logs[0].payload_kg, 0.002);
+}
+
 // As `absent` of robot.ini, or with a broken cable.
 TEST_F(JointCase, DoesNotDependOnServosOfOtherLimbs) {
   std::map<std::string, Case> made;
