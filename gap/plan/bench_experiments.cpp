@@ -10,12 +10,10 @@ using experiments::Phase;
 using experiments::Round;
 using experiments::Shape;
 
-constexpr double kUsualP = 4;  // as Webots counts: register 32
-
 /// Makes the phases of one round.
 class Script {
  public:
-  Script(const ArmSetup& stand, double p_gain = kUsualP) : stand_{stand}, p_gain_{p_gain} {}
+  Script(const ArmSetup& stand, double p_gain) : stand_{stand}, p_gain_{p_gain} {}
 
   Script& move(double to, double seconds) { return goTo("move", Shape::kMove, to, seconds); }
   Script& ramp(double to, double seconds) { return goTo("ramp", Shape::kRamp, to, seconds); }
@@ -71,56 +69,57 @@ class Script {
   Round round_;
 };
 
-std::vector<Round> triangleTwoGains(const ArmSetup& s) {
-  return {Script{s, 4}.move(0, 1).triangle(0.9, 10).round(), Script{s, 1}.move(0, 1).triangle(0.9, 10).round()};
+std::vector<Round> triangleTwoGains(const ArmSetup& s, double p) {
+  return {Script{s, p}.move(0, 1).triangle(0.9, 10).round(), Script{s, p / 4}.move(0, 1).triangle(0.9, 10).round()};
 }
-std::vector<Round> triangleThreeSpeeds(const ArmSetup& s) {  // 0.05, 0.2 and 1 rad/s
-  return {Script{s}.move(0, 1).triangle(0.25, 20).triangle(0.25, 5).triangle(0.25, 1, 2).round()};
+std::vector<Round> triangleThreeSpeeds(const ArmSetup& s, double p) {  // 0.05, 0.2 and 1 rad/s
+  return {Script{s, p}.move(0, 1).triangle(0.25, 20).triangle(0.25, 5).triangle(0.25, 1, 2).round()};
 }
-std::vector<Round> triangleOneSide(const ArmSetup& s) {
-  return {Script{s}.move(0.7, 1).triangle(0.5, 8).round()};
+std::vector<Round> triangleOneSide(const ArmSetup& s, double p) {
+  return {Script{s, p}.move(0.7, 1).triangle(0.5, 8).round()};
 }
-std::vector<Round> stepsThreeSizes(const ArmSetup& s) {
-  return {Script{s}.steps({0, 0.2, 0, 0.6, 0, 1.2, 0}, 0.8).round()};
+std::vector<Round> stepsThreeSizes(const ArmSetup& s, double p) {
+  return {Script{s, p}.steps({0, 0.2, 0, 0.6, 0, 1.2, 0}, 0.8).round()};
 }
-std::vector<Round> stepsThreeGains(const ArmSetup& s) {
+std::vector<Round> stepsThreeGains(const ArmSetup& s, double p) {
   std::vector<Round> rounds;
-  for (const double p_gain : {1.0, 2.0, 4.0})
+  for (const double p_gain : {p / 4, p / 2, p})
     rounds.push_back(Script{s, p_gain}.steps({0, 0.9, 0.3, -0.9, 0}, 0.9).round());
   return rounds;
 }
-std::vector<Round> holdsBothSides(const ArmSetup& s) {
-  Script script{s};
+std::vector<Round> holdsBothSides(const ArmSetup& s, double p) {
+  Script script{s, p};
   for (const double angle : {-1.5, -0.8, 0.0, 0.8, 1.5}) script.move(angle, 0.8).hold(0.8);
   return {script.round()};
 }
-std::vector<Round> holdOnce(const ArmSetup& s) {
-  return {Script{s}.move(1, 1).hold(1).round()};
+std::vector<Round> holdOnce(const ArmSetup& s, double p) {
+  return {Script{s, p}.move(1, 1).hold(1).round()};
 }
-std::vector<Round> holdLong(const ArmSetup& s) {
-  return {Script{s}.move(1, 1).hold(5).round()};
+std::vector<Round> holdLong(const ArmSetup& s, double p) {
+  return {Script{s, p}.move(1, 1).hold(5).round()};
 }
-std::vector<Round> holdFromBothSides(const ArmSetup& s) {
-  return {Script{s}.move(0.4, 0.8).move(0.9, 0.5).hold(1).move(1.4, 0.5).move(0.9, 0.5).hold(1).round()};
+std::vector<Round> holdFromBothSides(const ArmSetup& s, double p) {
+  return {Script{s, p}.move(0.4, 0.8).move(0.9, 0.5).hold(1).move(1.4, 0.5).move(0.9, 0.5).hold(1).round()};
 }
-std::vector<Round> swingThreeHeights(const ArmSetup& s) {
+std::vector<Round> swingThreeHeights(const ArmSetup& s, double p) {
   std::vector<Round> rounds;
-  for (const double angle : {0.5, 1.0, 1.5}) rounds.push_back(Script{s}.move(angle, 1).hold(0.3).torqueOff(4).round());
+  for (const double angle : {0.5, 1.0, 1.5})
+    rounds.push_back(Script{s, p}.move(angle, 1).hold(0.3).torqueOff(4).round());
   return rounds;
 }
-std::vector<Round> smallSines(const ArmSetup& s) {
-  return {Script{s}.move(0, 0.5).sine(0.05, 1, 3).move(1.05, 1).sine(0.05, 1, 3).round()};
+std::vector<Round> smallSines(const ArmSetup& s, double p) {
+  return {Script{s, p}.move(0, 0.5).sine(0.05, 1, 3).move(1.05, 1).sine(0.05, 1, 3).round()};
 }
-std::vector<Round> constantSpeed(const ArmSetup& s) {
-  return {Script{s}.move(-1.2, 1).ramp(1.2, 2.4).ramp(-1.2, 2.4).ramp(1.2, 0.8).ramp(-1.2, 0.8).round()};
+std::vector<Round> constantSpeed(const ArmSetup& s, double p) {
+  return {Script{s, p}.move(-1.2, 1).ramp(1.2, 2.4).ramp(-1.2, 2.4).ramp(1.2, 0.8).ramp(-1.2, 0.8).round()};
 }
-std::vector<Round> longSteps(const ArmSetup& s) {
-  return {Script{s}.steps({0, 1.4, -1.4, 1.4, 0}, 1).round()};
+std::vector<Round> longSteps(const ArmSetup& s, double p) {
+  return {Script{s, p}.steps({0, 1.4, -1.4, 1.4, 0}, 1).round()};
 }
 
 struct BenchRow {
   std::string_view name, title;
-  std::vector<Round> (*rounds)(const ArmSetup&);
+  std::vector<Round> (*rounds)(const ArmSetup&, double p_gain);
 };
 constexpr BenchRow kBench[]{
     {"triangle_two_gains", "Slow triangle both ways, at two P gains", triangleTwoGains},
@@ -140,7 +139,7 @@ constexpr BenchRow kBench[]{
 
 }  // namespace
 
-std::vector<experiments::Experiment> benchExperiments(const ArmSetup& stand) {
+std::vector<experiments::Experiment> benchExperiments(const ArmSetup& stand, double p_gain) {
   std::vector<experiments::Experiment> all;
   for (const BenchRow& row : kBench) {
     experiments::Experiment experiment;
@@ -148,7 +147,7 @@ std::vector<experiments::Experiment> benchExperiments(const ArmSetup& stand) {
     experiment.title = row.title;
     experiment.source = "darwinop gap plan";
     experiment.setup = stand.setup;
-    experiment.rounds = row.rounds(stand);
+    experiment.rounds = row.rounds(stand, p_gain);
     experiment.record_joints = {stand.joint};
     all.push_back(std::move(experiment));
   }

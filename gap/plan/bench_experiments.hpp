@@ -3,10 +3,12 @@
 
 #include <vector>
 
+#include "core/servo_limits.hpp"
 #include "gap/plan/arm_setup.hpp"
 
 namespace darwinop::gap {
 
-std::vector<experiments::Experiment> benchExperiments(const ArmSetup& stand);
+/// `p_gain`: as experiments count, a register / 8; some experiments have less in other rounds.
+std::vector<experiments::Experiment> benchExperiments(const ArmSetup& stand, double p_gain = kDefaultPGain);
 
 }  // namespace darwinop::gap

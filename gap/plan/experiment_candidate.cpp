@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "core/conversions.hpp"
 #include "experiments/format/experiment_files.hpp"
 #include "experiments/format/reader.hpp"
 #include "gap/plan/bench_experiments.hpp"
@@ -15,8 +16,10 @@ namespace {
 using experiments::Experiment;
 using experiments::Phase;
 
-constexpr double kChange = 60;    // s, that a person takes to change the weight
-constexpr double kHeavier = 0.1;  // kg: a joint that lifts 0.3 kg lifts 0.4 kg
+constexpr double kChange = 60;         // s, that a person takes to change the weight
+constexpr double kHeavier = 0.1;       // kg, and at least
+constexpr double kHeavierShare = 0.3;  // of what is lifted: the data check counts from 10 % as another payload
+constexpr double kWeight = 0.05;       // kg: what a person has at hand
 
 std::string inGrams(double kg) {
   return std::to_string(std::lround(kg * 1000)) + " g";
@@ -49,11 +52,15 @@ bool wantsPayloads(const std::string& name) {
   return false;
 }
 
+double moreThan(double payload_kg) {
+  return std::max(kHeavier, std::round(kHeavierShare * payload_kg / kWeight) * kWeight);
+}
+
 void addPayloads(const Circumstances& at, std::vector<ExperimentCandidate>& all) {
   const std::size_t count = all.size();
   for (std::size_t i = 0; i < count; ++i) {
     if (!wantsPayloads(all[i].experiment.name)) continue;
-    all.push_back(withPayload(all[i], "_heavier", at.payload_kg + kHeavier));
+    all.push_back(withPayload(all[i], "_heavier", at.payload_kg + moreThan(at.payload_kg)));
     if (at.payload_kg > kHeavier) all.push_back(withPayload(all[i], "_lighter", at.payload_kg / 2));
   }
 }
@@ -82,6 +89,13 @@ Circumstances circumstancesOf(const Case& given) {
     at.session_end_s = std::max(at.session_end_s, log.session_start_s + log.duration_s());
     for (const double temp : log.temp_c)
       if (!std::isnan(temp)) low = std::min(low, temp), high = std::max(high, temp);
+  }
+  std::vector<double> gains;
+  for (const Trajectory& log : given.logs)
+    if (!log.held_out) gains.push_back(log.p_register / kRegisterPerKp);
+  if (!gains.empty()) {
+    std::ranges::nth_element(gains, gains.begin() + std::ssize(gains) / 2);
+    at.p_gain = gains[gains.size() / 2];
   }
   int most = 0;
   for (const auto& [payload, count] : payloads)
@@ -119,7 +133,7 @@ std::optional<Experiment> movedTo(const ArmSetup& stand, Experiment experiment) 
 std::vector<ExperimentCandidate> benchCandidates(const Case& given, const ArmSetup& stand) {
   const Circumstances at = circumstancesOf(given);
   std::vector<ExperimentCandidate> all;
-  for (Experiment& experiment : benchExperiments(stand)) all.push_back(plainly(std::move(experiment), at));
+  for (Experiment& experiment : benchExperiments(stand, at.p_gain)) all.push_back(plainly(std::move(experiment), at));
   addPayloads(at, all);
   addFirstLogAgain(given, stand, at, all);
   return all;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/servo_limits.hpp"
 #include "experiments/format/experiment.hpp"
 #include "gap/case/case.hpp"
 #include "gap/plan/arm_setup.hpp"
@@ -25,6 +26,7 @@ struct Circumstances {
   double payload_kg = 0;                                // that most logs have
   double cold_c = twin::kRoomC, warm_c = twin::kRoomC;  // least and greatest temperature seen
   double session_end_s = 0;
+  double p_gain = kDefaultPGain;  // the middle one of the logs for fits, as experiments count
 };
 Circumstances circumstancesOf(const Case& given);
 

@@ -8,6 +8,10 @@ inline constexpr const char* kEndDependsOnMotion = "its end depends on the joint
 inline constexpr const char* kTorqueNotLogged = "it commands a torque, and logs record goals only";
 inline constexpr const char* kTorqueLimitNotLogged = "it changes the torque limit, which logs do not record";
 
+// a phase that no experiment file can have
+inline constexpr const char* kGainBeyondFormat =
+    " is its P gain, register / 8, and an experiment has at most 31.75; write it for your own controller";
+
 // an effect of --against
 inline constexpr const char* kEffectGivenTwice = "is given twice in --against";
 inline constexpr const char* kEffectNotFittable = "cannot be fitted here";

@@ -9,6 +9,7 @@
 #include "experiments/format/plan.hpp"
 #include "experiments/format/quantity.hpp"
 #include "gap/plan/commands.hpp"
+#include "gap/plan/messages.hpp"
 #include "gap/plan/thresholds.hpp"
 #include "gap/plants.hpp"
 
@@ -128,6 +129,9 @@ Vetted vetted(ExperimentCandidate candidate, const ArmSetup& stand, const Case& 
     out.refused = why;
     return out;
   };
+  for (const Round& round : experiment.rounds)
+    for (const experiments::Phase& phase : round.phases)
+      if (phase.p_gain > kMaxPGain) return refuse(shortText(phase.p_gain) + messages::kGainBeyondFormat);
   try {
     (void)experiments::makePlan(experiment, safety::hardRanges());
     std::vector<Round> kept;

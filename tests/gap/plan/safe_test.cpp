@@ -4,6 +4,7 @@
 
 #include "experiments/format/plan.hpp"
 #include "gap/plan/commands.hpp"
+#include "gap/plan/messages.hpp"
 #include "gap/plan/plan_rig.hpp"
 
 namespace darwinop::gap {
@@ -30,6 +31,33 @@ TEST(Vetting, LetsTheRobotsArmDoAllOfThem) {
     EXPECT_THAT(one.cuts, testing::IsEmpty()) << experiment.name;
     EXPECT_GT(one.seconds, 5) << experiment.name;
   }
+}
+
+TEST(Candidates, HaveTheMiddleGainOfTheLogsAndAThirdMoreToLift) {
+  Case bench = smallBench();
+  ASSERT_GE(bench.logs.size(), 3U);
+  bench.logs.resize(3);
+  const double registers[] = {100, 200, 400};
+  for (std::size_t i = 0; i < 3; ++i)
+    bench.logs[i].held_out = false, bench.logs[i].p_register = registers[i], bench.logs[i].payload_kg = 3;
+  double heavier_kg = 0;
+  for (const ExperimentCandidate& one : benchCandidates(bench, armSetupFor(Joint::kShoulderR))) {
+    const double p_gain = one.experiment.rounds.front().phases.front().p_gain;
+    if (one.experiment.name == "long_steps") {
+      EXPECT_EQ(p_gain, 25);
+    }
+    if (one.experiment.name == "long_steps_heavier") heavier_kg = one.payload_kg;
+  }
+  EXPECT_NEAR(heavier_kg, 3.9, 1e-9);
+}
+
+TEST(Vetting, RefusesAGainThatNoExperimentHas) {
+  ExperimentCandidate candidate = named("long_steps");
+  candidate.experiment.rounds.front().phases.front().p_gain = 100;
+  const Case bench = smallBench();
+  const ArmSetup stand = armSetupFor(Joint::kShoulderR);
+  EXPECT_THAT(vetted(std::move(candidate), stand, bench, {baselineOf(bench)}).refused,
+              HasSubstr(messages::kGainBeyondFormat));
 }
 
 TEST(Vetting, RefusesAGoalBeyondTheJointsLimits) {
