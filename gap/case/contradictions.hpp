@@ -10,6 +10,9 @@
 
 namespace darwinop::gap {
 
+/// Where a released arm rests, from where the case says that it hangs: its zero is elsewhere.
+inline constexpr std::string_view kRestAngle = "rest of the released arm beyond hangs_at_rad";
+
 struct Contradiction {
   std::string_view number, unit;   // as in case.json: "supply_V"
   double model = 0, measured = 0;  // measured: mean of the medians of the logs
