@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "gap/case/messages.hpp"
 #include "gap/case/raw_folder.hpp"
 
 namespace darwinop::gap {
@@ -43,8 +44,13 @@ double likeness(const Traits& one, const std::vector<Traits>& chosen) {
   return sum;
 }
 
-/// Of the logs of a role the `most` that are least alike, one after the other; at a tie the first of the folder.
-std::vector<bool> chosenOf(const std::vector<Trajectory>& logs, bool held_out, std::size_t most) {
+struct Bounds {
+  std::size_t most, fewest;
+  double most_s;
+};
+
+/// Of the logs of a role those that are least alike, one after the other; at a tie the first of the folder.
+std::vector<bool> chosenOf(const std::vector<Trajectory>& logs, bool held_out, const Bounds& bounds) {
   std::vector<bool> taken(logs.size());
   std::vector<std::size_t> left;
   std::vector<Traits> traits, chosen;
@@ -55,10 +61,12 @@ std::vector<bool> chosenOf(const std::vector<Trajectory>& logs, bool held_out, s
     traits.push_back(traitsOf(logs[i], static_cast<std::size_t>(kind)));
     if (logs[i].held_out == held_out) left.push_back(i);
   }
-  while (chosen.size() < most && !left.empty()) {
+  double seconds = 0;
+  while (chosen.size() < bounds.most && (chosen.size() < bounds.fewest || seconds < bounds.most_s) && !left.empty()) {
     const auto next = std::ranges::min_element(left, {}, [&](std::size_t i) { return likeness(traits[i], chosen); });
     taken[*next] = true;
     chosen.push_back(traits[*next]);
+    seconds += logs[*next].duration_s();
     left.erase(next);
   }
   return taken;
@@ -69,8 +77,9 @@ std::vector<bool> chosenOf(const std::vector<Trajectory>& logs, bool held_out, s
 void chooseLogs(FolderCase& in) {
   Case& given = in.given;
   const std::size_t before = given.logs.size();
-  const std::vector<bool> fitted = chosenOf(given.logs, false, kMostFitLogs),
-                          held_out = chosenOf(given.logs, true, kMostHeldOutLogs);
+  const std::vector<bool> fitted = chosenOf(given.logs, false, {kMostFitLogs, kFewestChosen, kMostFitSeconds}),
+                          held_out =
+                              chosenOf(given.logs, true, {kMostHeldOutLogs, kFewestHeldOut, kMostHeldOutSeconds});
   std::vector<Trajectory> logs;
   for (std::size_t i = 0; i < before; ++i)
     (fitted[i] || held_out[i] ? logs : given.others).push_back(std::move(given.logs[i]));
@@ -81,7 +90,11 @@ void chooseLogs(FolderCase& in) {
                      std::to_string(given.logs.size() - static_cast<std::size_t>(held)) + " are fitted and " +
                      std::to_string(held) +
                      " held out, those that differ most in bench, gain and goals; the others show the error before and "
-                     "after; --all-logs takes all");
+                     "after");
+}
+
+void noteAllLogs(FolderCase& in) {
+  if (in.given.logs.size() > kManyLogs) in.notes.push_back(std::to_string(in.given.logs.size()) + messages::kManyLogs);
 }
 
 }  // namespace darwinop::gap

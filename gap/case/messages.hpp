@@ -36,6 +36,8 @@ inline constexpr const char* kWholeRobot =
     "is body: a case of the whole robot, which `check`, `locate` and `run` take; docs/gap/body.md";
 inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
 
+inline constexpr const char* kManyLogs =
+    " logs are searched: expect hours, as the time grows with the square of their number; without --all-logs, minutes";
 inline constexpr const char* kUnusableLogs = " cannot be used:";
 inline constexpr const char* kLeftOut = "a log is left out: ";
 

@@ -110,7 +110,7 @@ FolderCase readRawFolder(const RawFolder& request) {
   FolderCase out = isBam(request) ? fromBam(request, declared) : fromCsv(request, declared);
   noteUnusable(out);
   holdOut(request.held_out, out);
-  if (!request.all_logs) chooseLogs(out);
+  request.all_logs ? noteAllLogs(out) : chooseLogs(out);
   for (const Contradiction& found : contradictionsOf(out.given)) out.notes.push_back(asSentence(found));
   return out;
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/units.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/raw_folder.hpp"
 
 namespace darwinop::gap {
@@ -75,6 +76,24 @@ TEST(ChooseLogs, EachMotionIsFittedAndHeldOut) {
       EXPECT_GE(held_out[motion.kind], 1u) << motion.kind;
     }
   }
+}
+
+// The time of a search grows with the seconds of its logs.
+TEST(ChooseLogs, OfLongLogsFewerAreTaken) {
+  FolderCase in = everyBench(true);
+  for (Trajectory& log : in.given.logs)
+    for (double& time_s : log.time_s) time_s *= 5;
+  chooseLogs(in);
+  const auto held_out = std::ranges::count_if(in.given.logs, &Trajectory::held_out);
+  EXPECT_EQ(held_out, 2);
+  EXPECT_EQ(std::ssize(in.given.logs) - held_out, 4);
+  EXPECT_THAT(in.notes.back(), testing::Not(testing::HasSubstr("--all-logs")));
+}
+
+TEST(ChooseLogs, ASearchOfAllOfManyLogsIsWarnedOf) {
+  FolderCase in = everyBench(true);
+  noteAllLogs(in);
+  EXPECT_THAT(in.notes.back(), testing::HasSubstr(messages::kManyLogs));
 }
 
 }  // namespace
