@@ -37,7 +37,6 @@ struct Tally {
 };
 
 /// Adds what the logs measure of one number, by the value that the model has for a log.
-/// `differs`: of a log, the model's value and the measured one.
 template <class Model, class Measured, class Differs>
 void tally(const Case& c, std::string_view number, std::string_view unit, const Model& model, const Measured& measured,
            const Differs& differs, std::vector<Contradiction>& into) {
@@ -47,7 +46,7 @@ void tally(const Case& c, std::string_view number, std::string_view unit, const 
     if (std::isnan(value)) continue;
     Tally& one = tallies[model(log)];
     ++one.of;
-    if (differs(log, model(log), value)) one.sum += value, ++one.logs;
+    if (differs(model(log), value)) one.sum += value, ++one.logs;
   }
   for (const auto& [value, one] : tallies)
     if (one.logs > 0)
@@ -73,19 +72,17 @@ std::vector<Contradiction> contradictionsOf(const Case& c) {
   std::vector<Contradiction> found;
   if (c.pendulum.gravity_m_s2 != 0)
     tally(
-        c, kRestAngle, "rad", [](const Trajectory&) { return 0.0; }, restAngle,
-        [&](const Trajectory& log, double, double measured) { return std::abs(measured) > farthestRest(c, log); },
-        found);
+        c, kRestAngle, "rad", [](const Trajectory&) { return 0.0; }, restBeyondRelease,
+        [](double, double measured) { return !std::isnan(measured); }, found);
   if (c.model.servo.law != twin::Law::kVoltageP) return found;
   const auto prior = std::ranges::find(c.priors, "supply", &Prior::number);
   const double tolerance = std::max(kRegisterError, prior == c.priors.end() ? 0 : kSigmas * prior->relative_sigma);
   tally(
       c, "supply_V", "V", [&](const Trajectory& log) { return supplyOf(c, log); }, idleVoltage,
-      [&](const Trajectory&, double model, double measured) { return std::abs(measured - model) > tolerance * model; },
-      found);
+      [&](double model, double measured) { return std::abs(measured - model) > tolerance * model; }, found);
   tally(
       c, "duty_max", "", [&](const Trajectory&) { return c.model.servo.duty_max; }, greatestLoad,
-      [](const Trajectory&, double model, double measured) { return measured > model + kDutyStep; }, found);
+      [](double model, double measured) { return measured > model + kDutyStep; }, found);
   return found;
 }
 

@@ -10,8 +10,8 @@
 
 namespace darwinop::gap {
 
-/// Where a released arm rests, from where the case says that it hangs: its zero is elsewhere.
-inline constexpr std::string_view kRestAngle = "rest of the released arm beyond hangs_at_rad";
+/// A released arm falls away from where the case says that it hangs: its zero is elsewhere.
+inline constexpr std::string_view kRestAngle = "angle at which the released arm hangs";
 
 struct Contradiction {
   std::string_view number, unit;   // as in case.json: "supply_V"

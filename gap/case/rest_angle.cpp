@@ -6,50 +6,44 @@
 #include "core/sensors.hpp"
 #include "core/units.hpp"
 #include "gap/case/median.hpp"
-#include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kRestTime = 0.2;     // s at the end of a stretch, and
-constexpr double kRestSpread = 0.02;  // rad: some steps of an encoder
-constexpr double kFall = 0.1;         // rad: else friction may hold it where it was released
-constexpr double kLeastRest = 0.3;    // rad
-constexpr double kMoreFriction = 3;   // than the model's
+constexpr double kStillTime = 0.2;     // s, before the release and at the end
+constexpr double kStillSpread = 0.02;  // rad: some steps of an encoder
+constexpr double kFall = 0.1;          // rad: more than backlash and what gives way in a mount
 
-/// Least and greatest position of rows from `from` to `to`; NaN does not count.
-std::pair<double, double> rangeOf(const Trajectory& log, std::size_t from, std::size_t to) {
-  std::pair<double, double> out{kUnknown, kUnknown};
+/// Angle of the rows from `from` to `to`; NaN: they are not still.
+double stillAngle(const Trajectory& log, std::size_t from, std::size_t to) {
+  double low = kUnknown, high = kUnknown;
   for (std::size_t row = from; row < to; ++row) {
-    out.first = std::fmin(out.first, log.position_rad[row]);
-    out.second = std::fmax(out.second, log.position_rad[row]);
+    low = std::fmin(low, log.position_rad[row]);
+    high = std::fmax(high, log.position_rad[row]);
   }
-  return out;
+  return high - low < kStillSpread ? (low + high) / 2 : kUnknown;
+}
+
+std::size_t beginOfStill(const Trajectory& log, std::size_t end) {
+  std::size_t row = end;
+  while (row > 0 && log.time_s[end - 1] - log.time_s[row - 1] <= kStillTime) --row;
+  return row;
 }
 
 }  // namespace
 
-double restAngle(const Trajectory& log) {
+double restBeyondRelease(const Trajectory& log) {
   std::vector<double> rests;
   for (std::size_t from = 0, to = 0; from < log.rows(); from = std::max(to, from + 1)) {
     for (to = from; to < log.rows() && log.torque_on[to] == 0;) ++to;
-    if (to == from) continue;
-    std::size_t still = to;
-    while (still > from && log.time_s[to - 1] - log.time_s[still - 1] <= kRestTime) --still;
-    const auto [low, high] = rangeOf(log, still, to);
-    const auto [lowest, highest] = rangeOf(log, from, to);
-    if (still > from && high - low < kRestSpread && highest - lowest > kFall) rests.push_back((low + high) / 2);
+    if (from == 0 || to == from) continue;
+    const double released = stillAngle(log, beginOfStill(log, from), from);
+    const double rest = stillAngle(log, std::max(from, beginOfStill(log, to)), to);
+    const double hanging = std::remainder(rest, 2 * kPi);
+    if (std::abs(rest - released) > kFall && std::abs(hanging) > std::abs(std::remainder(released, 2 * kPi)) + kFall)
+      rests.push_back(hanging);
   }
-  return std::remainder(medianOf(std::move(rests)), 2 * kPi);
-}
-
-double farthestRest(const Case& c, const Trajectory& log) {
-  const double weight_nm =
-      c.pendulum.gravity_m_s2 * c.pendulum.length_m * (log.payload_kg + c.pendulum.arm_mass_kg / 2);
-  double friction_nm = 0;
-  for (const twin::EffectSetting& effect : c.model.effects)
-    if (effect.info == twin::effectWith(twin::ParameterRole::kDryFriction)) friction_nm = effect.values.front();
-  return std::max(kLeastRest, kMoreFriction * friction_nm / weight_nm);
+  return medianOf(std::move(rests));
 }
 
 }  // namespace darwinop::gap

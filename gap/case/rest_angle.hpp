@@ -1,15 +1,13 @@
-// Where a released arm comes to rest: hanging, if its angles count from there.
+// Where a released arm falls: to where it hangs, if its angles count from there.
 #pragma once
 
 #include "gap/case/case.hpp"
 
 namespace darwinop::gap {
 
-/// rad, from -pi to pi: median of the stretches of a log in which the arm is released, falls and is still at the end;
-/// NaN: there is none.
-double restAngle(const Trajectory& log);
-
-/// rad: dry friction of the model holds an arm no farther from where it hangs, with a margin for more of it.
-double farthestRest(const Case& c, const Trajectory& log);
+/// rad, from -pi to pi: where an arm comes to rest that is released while it holds still, and moves away from 0, median
+/// of the stretches of a log; NaN: there is none. Gravity pulls elsewhere: friction can stop an arm on its way to where
+/// it hangs, but not drive it away.
+double restBeyondRelease(const Trajectory& log);
 
 }  // namespace darwinop::gap
