@@ -27,12 +27,6 @@ void deliver(const Report& report, const Arguments& given, const std::string& fo
   showReport(given, folder, report.outcome != nullptr && !report.outcome->identification.effects.empty());
 }
 
-bool hasEffect(const std::string& model, const std::string& id) {
-  for (const twin::EffectSetting& effect : twin::parseModel(model, "the model").effects)
-    if (effect.info->id == id && !effect.joint) return true;
-  return false;
-}
-
 /// The model that a case starts from, as a file has it.
 std::string startModel(const Arguments& given, const Case& read) {
   return given.model.empty() ? caseModel(read) : textOf(twin::findModel(given.model));
@@ -115,15 +109,15 @@ int addEffects(const Arguments& given) {
   const Case read = readGiven(given);
   if (given.results.empty() == given.effects.empty())
     throw std::runtime_error("add needs either report.json of a run or --effect ID.PARAMETER=VALUE");
-  const Additions additions =
-      given.results.empty() ? additionsFrom(given.effects) : additionsIn(textOf(given.results), given.results, read);
+  const Additions additions = given.results.empty() ? atJoint(additionsFrom(given.effects), read.joint)
+                                                    : additionsIn(textOf(given.results), given.results, read);
   const std::string before = startModel(given, read), text = withAdditions(before, additions);
   if (given.out.empty())
     std::cout << text;
   else
     writeModelFile(given.out, text, read.model);
-  for (const AddedEffect& effect : additions.effects)
-    std::cerr << "darwinop gap: " << effect.id << (hasEffect(before, effect.id) ? " replaced\n" : " added\n");
+  for (const std::string& change : changesBy(additions, twin::parseModel(before, "the model")))
+    std::cerr << "darwinop gap: " << change << '\n';
   return 0;
 }
 

@@ -84,6 +84,7 @@ struct Datasheet {
 struct Case {
   std::string name;  // "e01"
   std::string folder;
+  std::optional<Joint> joint;  // of a robot, whose servo this is; none: of no robot, or not known
   GoalOrder goal_order = GoalOrder::kAfterRead;
   bool quantised = true;    // the firmware sees its encoder in ticks
   twin::Model model;        // baseline: servo and effects that are known to be there
@@ -94,6 +95,9 @@ struct Case {
   std::vector<Trajectory> others;  // that nothing is fitted to and nothing is chosen by: error before and after alone
   std::vector<std::string> warnings;  // sentences about data that are unusual but usable
 };
+
+/// The effects of one servo of a model: those for all joints, and in their place those for `joint`.
+std::vector<twin::EffectSetting> servoEffects(const twin::Model& model, std::optional<Joint> joint);
 
 /// Arm of a log's bench, with its payload.
 twin::Pendulum armOf(const Case& c, const Trajectory& log);

@@ -62,21 +62,13 @@ std::vector<std::string_view> readBaseline(Fields baseline, Case& into) {
   return given;
 }
 
-/// The effects of one joint's servo, as if they were all there is.
-void keepOnly(std::optional<Joint> joint, Fields& top, twin::Model& model) {
-  std::vector<twin::EffectSetting> kept;
-  for (const twin::EffectSetting& effect : model.effects) {
-    if (effect.joint && !joint)
+/// Effects for single joints are a robot's; whose servo it is has to be known.
+void requireJoint(const twin::Model& model, Fields& top) {
+  for (const twin::EffectSetting& effect : model.effects)
+    if (effect.joint)
       top.fail("model", "has [effect " + std::string{effect.info->id} +
                             "] for one joint; give in `logs` the joint that the "
                             "logs are of: \"joint\": \"ArmUpperR\"");
-    if (effect.joint && effect.joint != joint) continue;
-    std::erase_if(kept, [&](const twin::EffectSetting& other) { return other.info == effect.info && effect.joint; });
-    const bool there =
-        std::ranges::any_of(kept, [&](const twin::EffectSetting& other) { return other.info == effect.info; });
-    if (!there) kept.push_back({effect.info, effect.values, std::nullopt});
-  }
-  model.effects = std::move(kept);
 }
 
 /// Whether the model has the parameter "coulomb.friction". Unknown names are typing errors.
@@ -119,6 +111,18 @@ void readPriors(Fields priors, const std::vector<std::string_view>& given, Case&
 
 }  // namespace
 
+std::vector<twin::EffectSetting> servoEffects(const twin::Model& model, std::optional<Joint> joint) {
+  std::vector<twin::EffectSetting> kept;
+  for (const twin::EffectSetting& effect : model.effects) {
+    if (effect.joint && effect.joint != joint) continue;
+    std::erase_if(kept, [&](const twin::EffectSetting& other) { return other.info == effect.info && effect.joint; });
+    const bool there =
+        std::ranges::any_of(kept, [&](const twin::EffectSetting& other) { return other.info == effect.info; });
+    if (!there) kept.push_back({effect.info, effect.values, std::nullopt});
+  }
+  return kept;
+}
+
 void readModelPart(Fields& top, const CaseFiles& files, std::optional<Joint> joint, Case& into) {
   std::vector<std::string_view> given;
   const bool own = top.has("model");
@@ -129,7 +133,8 @@ void readModelPart(Fields& top, const CaseFiles& files, std::optional<Joint> joi
     } catch (const std::runtime_error& error) {
       throw BadInput(error.what());
     }
-    keepOnly(joint, top, into.model);
+    if (!joint) requireJoint(into.model, top);
+    into.model.effects = servoEffects(into.model, joint);
     into.quantised = top.flag("position_in_ticks", into.model.servo.firmware_period_s > kFineFirmware);
     Fields arm = top.object("arm");
     readArm(arm, into);

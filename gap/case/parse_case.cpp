@@ -81,6 +81,14 @@ void takeOrder(Fields& top, bool recording, Case& into) {
   into.goal_order = order;
 }
 
+/// That of the case, or of its recordings.
+std::optional<Joint> takeJoint(Fields& top, const std::vector<LogEntry>& entries) {
+  const std::optional<Joint> whole = jointIn(top), of_logs = entries.front().joint;
+  if (whole && of_logs && whole != of_logs)
+    top.fail("joint", std::string{messages::kOtherJoint} + "; keep one of the two");
+  return whole ? whole : of_logs;
+}
+
 /// An arm that turns about a vertical axis has inertia and no weight.
 void takeAxis(Fields& top, Case& into) {
   const std::vector<std::string_view> words{"horizontal", "vertical"};
@@ -161,7 +169,8 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   linkRepeats(top, entries);
   const Encodings raw = readEncodings(top);
   for (const LogEntry& entry : entries) out.logs.push_back(entry.head);
-  readModelPart(top, files, entries.front().joint, out);
+  out.joint = takeJoint(top, entries);
+  readModelPart(top, files, out.joint, out);
   takeAxis(top, out);
   out.logs.clear();
   top.finish(out.warnings);

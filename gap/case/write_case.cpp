@@ -143,6 +143,7 @@ bool fitsBaseline(const Case& c) {
 
 std::string caseAsJson(const Case& c, bool with_model_file) {
   Json out = {{"case", c.name}, {"goal_order", c.goal_order == GoalOrder::kAfterRead ? "after_read" : "before_read"}};
+  if (c.joint) out["joint"] = row(*c.joint).name;
   if (with_model_file) {
     out["model"] = "model.ini";
     out["arm"] = armOf(c);

@@ -40,14 +40,15 @@ std::string withEffectNumber(const std::string& text, const AddedNumber& number)
   const std::size_t dot = number.key.find('.');
   const twin::EffectInfo& info = effectCalled(number.key.substr(0, dot));
   const std::size_t i = parameterCalled(info, number.key.substr(dot + 1));
-  twin::Model model = twin::parseModel(text, "the model");
-  const auto there = std::ranges::find_if(
-      model.effects, [&](const twin::EffectSetting& effect) { return effect.info == &info && !effect.joint; });
-  if (there == model.effects.end())
+  const twin::Model model = twin::parseModel(text, "the model");
+  std::vector<twin::EffectSetting> effects = servoEffects(model, number.joint);
+  const auto there = std::ranges::find(effects, &info, &twin::EffectSetting::info);
+  if (there == effects.end())
     throw std::runtime_error("the model has no [effect " + std::string{info.id} + "], so no number can be changed");
   checkRange(info, info.parameters[i], number.value);
   const std::string was = withUnit(there->values[i], info.parameters[i].unit);
   there->values[i] = number.value;
+  there->joint = number.joint;
   return twin::withEffect(text, *there, {"Moved by the fit, within how far it may be trusted; was " + was});
 }
 
@@ -99,6 +100,13 @@ Additions additionsFrom(const std::vector<std::string>& texts) {
   return additions;
 }
 
+Additions atJoint(Additions additions, std::optional<Joint> joint) {
+  if (!joint) return additions;
+  for (AddedNumber& number : additions.numbers) number.joint = joint;
+  for (AddedEffect& effect : additions.effects) effect.joints = {*joint};
+  return additions;
+}
+
 std::string withAdditions(std::string text, const Additions& additions) {
   for (const AddedNumber& number : additions.numbers)
     text = number.key.find('.') == std::string::npos ? withNumber(text, number.section, number.key, number.value)
@@ -106,7 +114,6 @@ std::string withAdditions(std::string text, const Additions& additions) {
   for (const AddedEffect& added : additions.effects) {
     std::vector<std::string> comments = added.because;
     twin::EffectSetting setting = settingOf(added, comments);
-    // All joints have it, also those with a section of their own.
     std::vector<std::optional<Joint>> places(added.joints.begin(), added.joints.end());
     if (places.empty()) {
       places.emplace_back();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,7 @@ struct AddedEffect {
   std::string id;
   std::vector<AddedValue> values;
   std::vector<std::string> because;  // comments above its section
-  std::vector<Joint> joints = {};    // of a robot; empty: all
+  std::vector<Joint> joints = {};    // of a robot; empty: all, also those with a section of their own
 };
 
 /// Another number of the model: one that a fit has moved inside its prior, or that was found to be wrong.
@@ -29,6 +30,7 @@ struct AddedNumber {
   std::string key;  // "kt" of the section, "viscous.damping" of an effect that the model has
   double value = 0;
   std::string section = "servo";
+  std::optional<Joint> joint = {};  // of an effect's number: in the section of that joint
 };
 
 /// A key with a number for x, y and z.
@@ -43,6 +45,8 @@ struct Additions {
   std::vector<AddedEffect> effects;
 };
 
+/// Of the servo of one joint of a robot, which has sections of its own then. None: the same.
+Additions atJoint(Additions additions, std::optional<Joint> joint);
 /// "coulomb.friction=0.05"; several of one effect belong together. Throws std::runtime_error with a sentence.
 Additions additionsFrom(const std::vector<std::string>& texts);
 /// Of this case, from what `run --json` or `benchmark run` wrote. Throws std::runtime_error for a verdict that names
@@ -52,5 +56,7 @@ Additions additionsIn(std::string_view results, const std::string& file, const C
 /// The model file `text` with them; everything else in it stays. Throws std::runtime_error with a sentence for an
 /// effect or parameter that does not exist, and for an impossible value.
 std::string withAdditions(std::string text, const Additions& additions);
+/// A line for each section of the model file that they add or replace, and for each number of all joints.
+std::vector<std::string> changesBy(const Additions& additions, const twin::Model& before);
 
 }  // namespace darwinop::gap

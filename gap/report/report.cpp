@@ -34,7 +34,7 @@ Report reportOn(const Case& given, const std::string& before, const std::string&
 
 Case withModel(Case given, const twin::Model& model) {
   given.model = model;
-  std::erase_if(given.model.effects, [](const twin::EffectSetting& effect) { return effect.joint.has_value(); });
+  given.model.effects = servoEffects(model, given.joint);
   // A number that the model does not have needs no prior.
   std::erase_if(given.priors, [&](const Prior& prior) {
     const std::size_t dot = prior.number.find('.');

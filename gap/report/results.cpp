@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "core/text/joined.hpp"
 #include "core/text/number_text.hpp"
@@ -85,7 +86,7 @@ Additions additionsOf(const Case& given, const Outcome& outcome, const std::stri
     }
     additions.effects.push_back(std::move(effect));
   }
-  return additions;
+  return atJoint(std::move(additions), given.joint);
 }
 
 std::string caseModel(const Case& given) {

@@ -131,6 +131,33 @@ TEST(AddByHand, TheSameParameterTwiceIsRefused) {
               HasSubstr(messages::kNumberGivenTwice));
 }
 
+constexpr const char* kRobot =
+    "[model]\nname = robot\n[servo]\nkt = 1.786 N m/A\n[effect coulomb]\nfriction = 0.02 N m\n"
+    "[effect coulomb AnkleR]\nfriction = 0.2 N m\n[effect viscous]\ndamping = 0.012 N m s/rad\n";
+
+TEST(AddResults, OfOneJointChangeNoOtherOfTheRobot) {
+  ReportRig rig;
+  rig.given.joint = Joint::kShoulderR;
+  const Additions additions = additionsIn(asJson(rig.report).dump(), "report.json", rig.given);
+  const std::string text = withAdditions(kRobot, additions);
+  const twin::Model was = twin::parseModel(kRobot, "m"), now = twin::parseModel(text, "m");
+  EXPECT_EQ(servoEffects(now, Joint::kNeck).front().values, servoEffects(was, Joint::kNeck).front().values);
+  EXPECT_EQ(servoEffects(now, Joint::kAnkleR).front().values, servoEffects(was, Joint::kAnkleR).front().values);
+  EXPECT_THAT(text, HasSubstr("[effect coulomb ShoulderR]\nfriction = 0.0423 N m"));
+  EXPECT_THAT(text, HasSubstr("[effect viscous ShoulderR]\ndamping = 0.0161 N m s/rad")) << "a number of the fit";
+  EXPECT_THAT(changesBy(additions, was),
+              testing::ElementsAre("coulomb at ShoulderR added", "[servo] kt changed, for all joints"));
+  // Compared on the logs of that joint, the model is the one that was found.
+  const Hypothesis read = baselineOf(withModel(rig.given, now));
+  EXPECT_EQ(read.find("coulomb")->values.front(), 0.0423);
+  EXPECT_EQ(read.find("viscous")->values.front(), 0.0161);
+}
+
+TEST(AddByHand, ToAllJointsListsTheirSections) {
+  EXPECT_THAT(changesBy(additionsFrom({"coulomb.friction=0.05"}), twin::parseModel(kRobot, "m")),
+              testing::ElementsAre("coulomb replaced", "coulomb at AnkleR replaced"));
+}
+
 TEST(AddResults, ThatNameNothingAreRefused) {
   ReportRig rig;
   const auto sentence = [&](const std::string& text) {

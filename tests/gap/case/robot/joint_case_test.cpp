@@ -89,6 +89,7 @@ TEST_F(JointCase, OfTheTwinIsSimulatedAsItMoved) {
   writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
   const Case made = readCase(file("case"));
   ASSERT_EQ(made.logs.size(), 1U);
+  EXPECT_EQ(made.joint, Joint::kShoulderR) << "whose servo a result is of";
   EXPECT_NEAR(made.model.servo.supply_v, 11.8, 1e-9);
   Trace trace;
   rollOut(made, 0, baselineOf(made), {}, trace);

@@ -1,0 +1,40 @@
+// What additions do to a model, for a terminal.
+#include <algorithm>
+#include <iterator>
+
+#include "gap/report/addition.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+/// The sections of `model` that this effect replaces: " at NAME" of joints, "" of all.
+std::vector<std::string> placesIn(const twin::Model& model, const std::string& id) {
+  std::vector<std::string> places;
+  for (const twin::EffectSetting& there : model.effects)
+    if (there.info->id == id)
+      places.push_back(there.joint ? " at " + std::string{row(*there.joint).name} : std::string{});
+  return places;
+}
+
+}  // namespace
+
+std::vector<std::string> changesBy(const Additions& additions, const twin::Model& before) {
+  std::vector<std::string> lines;
+  for (const AddedEffect& added : additions.effects) {
+    const std::vector<std::string> there = placesIn(before, added.id);
+    std::vector<std::string> places;
+    for (const Joint joint : added.joints) places.push_back(" at " + std::string{row(joint).name});
+    if (places.empty()) {
+      places.emplace_back();
+      std::ranges::copy_if(there, std::back_inserter(places), [](const std::string& place) { return !place.empty(); });
+    }
+    for (const std::string& place : places)
+      lines.push_back(added.id + place + (std::ranges::find(there, place) == there.end() ? " added" : " replaced"));
+  }
+  for (const AddedNumber& number : additions.numbers)
+    if (number.key.find('.') == std::string::npos)
+      lines.push_back("[" + number.section + "] " + number.key + " changed, for all joints");
+  return lines;
+}
+
+}  // namespace darwinop::gap
