@@ -11,6 +11,7 @@
 #include "gap/identify/body/answer_model.hpp"
 #include "gap/identify/body/mechanical_effect.hpp"
 #include "gap/plant/body/model_with.hpp"
+#include "gap/report/data_hash.hpp"
 #include "gap/report/messages.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
@@ -127,6 +128,13 @@ BodyAdditions bodyAdditionsIn(std::string_view results, const std::string& file,
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(file + ": " + error.what());
   }
+}
+
+std::string otherModelWarning(std::string_view results, const std::string& file, const std::string& name,
+                              std::string_view model) {
+  const json all = json::parse(results);
+  const json& result = resultOf(all, name);
+  return !result.contains(kModelHash) || result[kModelHash] == sha256(model) ? "" : file + messages::kOtherModel;
 }
 
 }  // namespace darwinop::gap

@@ -20,4 +20,10 @@ struct BodyAdditions {
 BodyAdditions bodyAdditionsIn(std::string_view results, const std::string& file, const std::string& name,
                               const twin::Model& model);
 
+/// Key of the hash of the model file that a search was on.
+inline constexpr const char* kModelHash = "model_sha256";
+/// A warning if that was another one than `model`; empty: the same, or an older version wrote the result, without hash.
+std::string otherModelWarning(std::string_view results, const std::string& file, const std::string& name,
+                              std::string_view model);
+
 }  // namespace darwinop::gap

@@ -2,6 +2,7 @@
 
 #include "core/json/json_text.hpp"
 #include "gap/report/body/body_additions.hpp"
+#include "gap/report/data_hash.hpp"
 #include "gap/report/report_folder.hpp"
 
 namespace darwinop::gap {
@@ -11,6 +12,7 @@ BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, cons
   report.given = &given;
   report.found = &found;
   report.answer = asJson(given, found);
+  report.answer[kModelHash] = sha256(model);
   report.model_before = report.model_after = model;
   if (report.answer["effects"].empty()) return report;
   const BodyAdditions added =

@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "gap/plant/body/model_with.hpp"
+#include "gap/report/body/body_report.hpp"
+#include "gap/report/messages.hpp"
 #include "twin/body/mujoco_model.hpp"
 
 namespace darwinop::gap {
@@ -181,6 +183,19 @@ TEST(BodyAdditions, AnEffectThatDoesNotExistIsRefusedByItsName) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("there is no effect gyro_bais at \"gyro\"; did you mean gyro_bias"));
   }
+}
+
+TEST(BodyAdditions, OntoAnotherModelThanThatOfTheSearchAreReported) {
+  BodyCase robot;
+  robot.name = "c", robot.joints.model = twin::parseModel(kModel, "m");
+  const std::string answer = reportOf(robot, {}, kModel).answer.dump();
+  const auto warning = [](const std::string& results, const std::string& model) {
+    return otherModelWarning(results, "report.json", "c", model);
+  };
+  EXPECT_EQ(warning(answer, kModel), "");
+  EXPECT_EQ(warning(answer, std::string{kModel} + "\n[effect viscous]\ndamping = 0.01 N m s/rad\n"),
+            std::string{"report.json"} + messages::kOtherModel);
+  EXPECT_EQ(warning(R"({"case": "c"})", kModel), "") << "of an older version";
 }
 
 TEST(BodyAdditions, AResultThatNamesNothingOrIsOfAnotherCaseIsRefused) {
