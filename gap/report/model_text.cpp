@@ -12,7 +12,8 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr std::size_t kLine = 110;  // of the 200 characters that a line may have
+constexpr std::size_t kLongest = 198;  // characters that a line of a model file may have
+constexpr std::size_t kLine = 110;     // of them
 
 std::string fourDigits(double value) {
   return text::generalText(value, 4);
@@ -49,6 +50,15 @@ std::string_view sectionOf(std::string_view line) {
   return twin::sectionFrom(line.substr(begin, line.find(']') - begin)).plain;
 }
 
+/// Instead of `line`: `now`, and behind it what the line had as a comment, or above it where that is too long.
+std::string replacedLine(std::string_view line, const std::string& now, std::string_view line_end) {
+  const std::size_t comment = line.find_first_of(";#");
+  const std::string note{comment == std::string_view::npos ? "" : trimmed(line.substr(comment + 1))};
+  if (note.empty()) return now;
+  if (now.size() + note.size() + 2 <= kLongest) return now + "; " + note;
+  return ("; " + note).append(line_end) + now;
+}
+
 /// `text` with another value for a key of the model.
 template <class Value>
 std::string withValue(std::string_view text, const twin::KeyRow& row, const Value& value) {
@@ -57,6 +67,7 @@ std::string withValue(std::string_view text, const twin::KeyRow& row, const Valu
   const std::string was = twin::writeValue(changed, row);
   *std::get<Value*>(row.in(changed)) = value;
   const std::string now = std::string{row.key} + " = " + twin::writeValue(changed, row) + "  ; was " + was;
+  const std::string line_end = text.substr(0, text.find('\n')).ends_with('\r') ? "\r\n" : "\n";
   std::string out;
   std::size_t below = std::string::npos;  // in `out`: behind the last line of the section that says something
   bool in_section = false, done = false;
@@ -66,15 +77,15 @@ std::string withValue(std::string_view text, const twin::KeyRow& row, const Valu
     const bool is_header = trimmed(line).starts_with('[');
     if (is_header) in_section = sectionOf(line) == row.section;
     const bool here = in_section && !done && keyIn(line) == row.key;
-    out += (here ? now : std::string{line}) + "\n";
+    out += here ? replacedLine(line, now, line_end) + line_end : std::string{line} + "\n";
     done = done || here;
     if (in_section && (is_header || !keyIn(line).empty())) below = out.size();
     at = end + 1;
   }
   if (!done && below == std::string::npos)
-    out += "\n" + header + "\n" + now + "\n";
+    out += line_end + header + line_end + now + line_end;
   else if (!done)
-    out.insert(below, now + "\n");
+    out.insert(below, now + line_end);
   twin::parseModel(out, "the model");  // a value out of its range is refused here
   return out;
 }

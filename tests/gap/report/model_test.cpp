@@ -1,6 +1,7 @@
 // Findings written to model files: reading them back gives the same model; nonsense is refused.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/text/nearest.hpp"
@@ -79,10 +80,25 @@ TEST(RepairedModel, NamesRivalsThatTheDataDoNotExclude) {
 
 TEST(ServoNumber, ChangesItsLineAndNoOther) {
   const std::string text = withNumber(kModel, "servo", "kt", 1.75);
-  EXPECT_THAT(text, HasSubstr("\nkt = 1.75 N m/A  ; was 1.8 N m/A\nresistance = 8 ohm\n"));
+  EXPECT_THAT(text, HasSubstr("\nkt = 1.75 N m/A  ; was 1.8 N m/A; measured on Monday\nresistance = 8 ohm\n"));
   EXPECT_THAT(text, HasSubstr("; my servo\n"));
   EXPECT_THAT(withNumber(kModel, "servo", "armature", 0.004), HasSubstr("resistance = 8 ohm\narmature = 0.004 kg m2"));
   EXPECT_THAT(withNumber("[model]\nname = mine", "servo", "kt", 1.75), HasSubstr("\n[servo]\nkt = 1.75 N m/A"));
+}
+
+TEST(ServoNumber, KeepsTheNoteOfItsSource) {
+  const std::string twice = withNumber(withNumber(kModel, "servo", "kt", 1.75), "servo", "kt", 1.7);
+  EXPECT_THAT(twice, HasSubstr("kt = 1.7 N m/A  ; was 1.75 N m/A; was 1.8 N m/A; measured on Monday\n"));
+  const std::string note(150, 'x'), longer = "[model]\nname = a\n[servo]\nkt = 1.5 N m/A  # " + note + "\n";
+  EXPECT_THAT(withNumber(withNumber(longer, "servo", "kt", 1.75), "servo", "kt", 1.7),
+              HasSubstr("; was 1.5 N m/A; " + note + "\nkt = 1.7 N m/A  ; was 1.75 N m/A\n"));
+}
+
+TEST(ServoNumber, HasTheLineEndsOfItsFile) {
+  const std::string text = "[model]\r\nname = a\r\n[servo]\r\nkt = 1.5 N m/A  ; mine\r\n";
+  const std::string both = withNumber(withNumber(text, "servo", "kt", 1.75), "servo", "armature", 0.004);
+  EXPECT_EQ(std::ranges::count(both, '\n'), std::ranges::count(both, '\r'));
+  EXPECT_THAT(both, HasSubstr("; was 1.5 N m/A; mine\r\narmature = 0.004 kg m2"));
 }
 
 TEST(ServoNumber, OfAnUnknownNameIsRefused) {
