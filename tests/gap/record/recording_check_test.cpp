@@ -56,7 +56,7 @@ TEST(RecordingCheck, AJointThatDoesNotMoveIsNamed) {
   EXPECT_THAT(problems.front(), HasSubstr("Neck"));
 }
 
-TEST(RecordingCheck, AJointWithoutAServoIsNoProblemUnlessItIsCommanded) {
+TEST(RecordingCheck, AJointWithoutAServoIsReportedOnlyIfItIsCommanded) {
   SyntheticRobot robot;
   robot.absent_joint = index(Joint::kNeck);
   EXPECT_THAT(problemsIn(robot.recording({0, 1, 0}, 1)), IsEmpty());
