@@ -6,82 +6,16 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <map>
-#include <optional>
 
 #include "experiments/logs/read_log.hpp"
 #include "gap/case/robot/alone.hpp"
+#include "gap/case/robot/recorded_swing.hpp"
 #include "gap/plant/bench/roll_out.hpp"
 #include "twin/body/pendulum.hpp"
-#include "twin/body/robot_body.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kRowTime = 0.016;
-constexpr std::array<double, 3> kUpright{0, 0, 9.81};
-
-std::string nameOf(std::size_t joint) {
-  return std::string{kJointTable[joint].name};
-}
-
-/// What the runtime would have recorded of the twin: the right arm is stretched, swings at the shoulder, and goes limp.
-/// `began_s`: of the recording's clock. `silent`: a joint that is neither driven nor answers.
-std::string recordedSwing(double began_s = 0, std::optional<Joint> silent = {}) {
-  twin::RobotBody body{twin::readModel(twin::findModel("darwin-op"))};
-  Drives drives;
-  for (std::size_t i = 0; i < kJoints; ++i)
-    drives[i] = {.torque_on = true,
-                 .goal_rad = body.state().joint[i].position_rad,
-                 .speed_limit_rad_s = std::numeric_limits<double>::infinity(),
-                 .torque_limit = 1,
-                 .supply_v = 11.8};
-  std::string text =
-      "# darwinop log, format 1\n# robot: darwin-op\n# experiment: swing\ntime_s,cycle,board.voltage [V]";
-  for (const char axis : {'x', 'y', 'z'}) text += std::string{",accelerometer."} + axis + " [m/s2]";
-  for (std::size_t i = 0; i < kJoints; ++i)
-    text += "," + nameOf(i) + ".commanded [rad]," + nameOf(i) + ".position [rad]";
-  text +=
-      ",ShoulderR.asked_p_gain,ShoulderR.asked_speed [rad/s],ShoulderR.velocity [rad/s],ShoulderR.load,"
-      "ShoulderR.voltage [V],ShoulderR.temperature [degC]\n";
-
-  ServoDrive& shoulder = drives[index(Joint::kShoulderR)];
-  const auto number = [](double value) { return "," + std::to_string(value); };
-  for (int cycle = 1; cycle * kRowTime < 8; ++cycle) {
-    const double t = cycle * kRowTime;
-    const BodyState& state = body.state();
-    text += std::to_string(began_s + t) + "," + std::to_string(cycle) + ",11.8";
-    for (const double accel : state.accel_m_s2) text += number(accel);
-    const double share = std::min(t / 1.5, 1.0);  // to the pose
-    drives[index(Joint::kArmUpperR)].goal_rad = share * -0.65;
-    drives[index(Joint::kArmLowerR)].goal_rad = share * -1.55;
-    if (t < 1.5) shoulder.goal_rad *= 1 - kRowTime / (1.5 - t + kRowTime);
-    if (t > 3) shoulder.goal_rad = t < 3.8 ? 0.7 : t < 4.6 ? -0.3 : 0.9;
-    shoulder.torque_on = t < 5.5;
-    for (std::size_t i = 0; i < kJoints; ++i)
-      text += static_cast<Joint>(i) == silent
-                  ? ",,"
-                  : (drives[i].torque_on ? number(drives[i].goal_rad) : ",") + number(state.joint[i].position_rad);
-    const JointMotion& reading = state.joint[index(Joint::kShoulderR)];
-    text += ",4,," + std::to_string(reading.velocity_rad_s) + number(reading.load) + ",,30\n";
-    for (int ms = 0; ms < 16; ++ms) body.step(std::chrono::milliseconds{1}, drives);
-  }
-  return text + "# end\n";
-}
-
-class Folder : public testing::Test {
- protected:
-  Folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "darwinop-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~Folder() override { std::filesystem::remove_all(folder_); }
-  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
- private:
-  std::filesystem::path folder_;
-};
 using JointCase = Folder;
 
 TEST_F(JointCase, OfTheTwinIsSimulatedAsItMoved) {
@@ -135,58 +69,6 @@ TEST_F(JointCase, HasTheBodyOfItsModelUnderTheSameName) {
   std::ofstream{file("swing.csv")} << recordedSwing();
   writeJointCase({.model = file("own/own.ini"), .recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
   EXPECT_EQ(readCase(file("case")).model.folder, file("case"));
-}
-
-// As with `board = none` in robot.ini. The servo reports its voltage.
-TEST_F(JointCase, OfARobotWithoutABoardIsUprightWithTheVoltageOfTheServo) {
-  std::istringstream lines{recordedSwing()};
-  std::string all, none;
-  for (std::string line; std::getline(lines, line);) {
-    if (std::isdigit(line.front()) != 0) {
-      const std::size_t board = line.find(',', line.find(',') + 1);
-      std::size_t end = board;
-      for (int column = 0; column < 4; ++column) end = line.find(',', end + 1);
-      all += line + "\n";
-      line.replace(board, end - board, ",,,,");
-      none += line + "\n";
-    } else {
-      all += line + "\n", none += line + "\n";
-    }
-  }
-  std::ofstream{file("swing.csv")} << none;
-  const std::vector<std::string> said =
-      writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
-  EXPECT_THAT(said, testing::ElementsAre(testing::AllOf(testing::HasSubstr(messages::kTakenAsUpright),
-                                                        testing::HasSubstr(messages::kSupplyOfModel))));
-  for (std::size_t at = none.find(",,30\n"); at != none.npos; at = none.find(",,30\n", at + 1))
-    none.replace(at, 5, ",10.7,30\n");
-  std::ofstream{file("swing.csv")} << none;
-  writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("with"));
-  EXPECT_NEAR(readCase(file("with")).model.servo.supply_v, 10.7, 1e-9);
-  std::ofstream{file("swing.csv")} << all;
-  writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("board"));
-  EXPECT_NEAR(readCase(file("with")).logs[0].payload_kg, readCase(file("board")).logs[0].payload_kg, 0.002);
-}
-
-// As `absent` of robot.ini, or with a broken cable.
-TEST_F(JointCase, DoesNotDependOnServosOfOtherLimbs) {
-  std::map<std::string, Case> made;
-  for (const auto& [of, silent] : {std::pair{"all", std::optional<Joint>{}}, {"no_neck", Joint::kNeck}}) {
-    std::ofstream{file("swing.csv")} << recordedSwing(0, silent);
-    writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file(of));
-    made[of] = readCase(file(of));
-  }
-  const Trajectory &all = made["all"].logs.at(0), &no_neck = made["no_neck"].logs.at(0);
-  EXPECT_EQ(no_neck.position_rad, all.position_rad);
-  EXPECT_DOUBLE_EQ(no_neck.payload_kg, all.payload_kg);
-  EXPECT_DOUBLE_EQ(made["no_neck"].pendulum.length_m, made["all"].pendulum.length_m);
-  std::ofstream{file("no_elbow.csv")} << recordedSwing(0, Joint::kArmLowerR);
-  try {
-    writeJointCase({.recordings = {file("no_elbow.csv")}, .held_out = {}}, file("case"));
-    ADD_FAILURE() << "the angle of the elbow is in the weight of the arm";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr(std::string{"ArmLowerR"} + twin::messages::kAngleUnknown));
-  }
 }
 
 TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {
