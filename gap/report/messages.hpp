@@ -49,9 +49,8 @@ inline constexpr const char* kBelowFloor =
 // Effects that cannot be added, and a comment in the model file.
 inline constexpr const char* kNamesNoEffect = "names no effect";
 inline constexpr const char* kOtherModel =
-    ": the search was on another model than this one; what it adds to the numbers of a model counts twice where this "
-    "one "
-    "has it already. Give the model of the search with --model";
+    ": the search was on another model than this one; what it adds to numbers counts twice where this one has it "
+    "already. Give the model of the search with --model";
 inline constexpr const char* kNotAResult = "not a result of darwinop gap";
 inline constexpr const char* kNumberGivenTwice = "this number is given twice";
 inline constexpr const char* kTypicalValue = "not known, the typical value";

@@ -10,9 +10,8 @@
 
 namespace darwinop::gap {
 
-/// `text` with another number for `key` of [section], and what it was behind it, before the
-/// comment that the line had. No other line changes.
-/// Throws std::runtime_error for what is no such number, or out of its range.
+/// `text` with another number for `key` of [section], and what it was behind it, before the comment that the line had.
+/// No other line changes. Throws std::runtime_error for what is no such number, or out of its range.
 std::string withNumber(std::string_view text, std::string_view section, const std::string& key, double value);
 
 /// The same with the numbers of x, y and z.

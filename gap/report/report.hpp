@@ -31,8 +31,7 @@ nlohmann::json asJson(const Report& report);
 /// For a terminal, at most 24 lines.
 std::string asText(const Report& report);
 
-/// The case with another model: that file's servo, and its effects for all joints or that of
-/// the case. The bench stays.
+/// The case with another model: that file's servo, and its effects for all joints or that of the case. The bench stays.
 Case withModel(Case given, const twin::Model& model);
 
 /// Writes report.html, report.json and repaired.ini into `folder`, which is made. Throws std::runtime_error with a
