@@ -52,10 +52,15 @@ std::string withEffectNumber(const std::string& text, const AddedNumber& number)
   return twin::withEffect(text, *there, {"Moved by the fit, within how far it may be trusted; was " + was});
 }
 
-twin::EffectSetting settingOf(const AddedEffect& added, std::vector<std::string>& comments) {
+/// At `joint`; what is not given stays as `model` has it.
+twin::EffectSetting settingOf(const AddedEffect& added, std::optional<Joint> joint, const twin::Model& model,
+                              std::vector<std::string>& comments) {
   const twin::EffectInfo& info = effectCalled(added.id);
-  twin::EffectSetting setting{.info = &info, .values = {}, .joint = {}};
+  twin::EffectSetting setting{.info = &info, .values = {}, .joint = joint};
   for (const twin::Parameter& parameter : info.parameters) setting.values.push_back(parameter.typical);
+  const std::vector<twin::EffectSetting> effects = servoEffects(model, joint);
+  const auto there = std::ranges::find(effects, &info, &twin::EffectSetting::info);
+  if (there != effects.end()) setting.values = there->values;
   std::vector<bool> given(info.parameters.size(), false);
   for (const AddedValue& value : added.values) {
     const std::size_t i = parameterCalled(info, value.key);
@@ -69,7 +74,8 @@ twin::EffectSetting settingOf(const AddedEffect& added, std::vector<std::string>
     throw std::runtime_error("effect " + added.id + " has no value; give one, " + added.id + "." +
                              std::string{info.parameters.front().key} + "=VALUE");
   for (std::size_t i = 0; i < given.size(); ++i)
-    if (!given[i]) comments.push_back(std::string{info.parameters[i].key} + ": " + messages::kTypicalValue);
+    if (!given[i] && there == effects.end())
+      comments.push_back(std::string{info.parameters[i].key} + ": " + messages::kTypicalValue);
   return setting;
 }
 
@@ -112,16 +118,16 @@ std::string withAdditions(std::string text, const Additions& additions) {
     text = number.key.find('.') == std::string::npos ? withNumber(text, number.section, number.key, number.value)
                                                      : withEffectNumber(text, number);
   for (const AddedEffect& added : additions.effects) {
-    std::vector<std::string> comments = added.because;
-    twin::EffectSetting setting = settingOf(added, comments);
+    const twin::Model model = twin::parseModel(text, "the model");
     std::vector<std::optional<Joint>> places(added.joints.begin(), added.joints.end());
     if (places.empty()) {
       places.emplace_back();
-      for (const twin::EffectSetting& there : twin::parseModel(text, "the model").effects)
-        if (there.info == setting.info && there.joint) places.push_back(there.joint);
+      for (const twin::EffectSetting& there : model.effects)
+        if (there.info->id == added.id && there.joint) places.push_back(there.joint);
     }
     for (const std::optional<Joint>& joint : places) {
-      setting.joint = joint;
+      std::vector<std::string> comments = added.because;
+      const twin::EffectSetting setting = settingOf(added, joint, model, comments);
       text = twin::withEffect(text, setting, wrapped(comments));
     }
   }

@@ -17,7 +17,7 @@ struct AddedValue {
   double value = 0, low = 0, high = 0;
 };
 
-/// One effect. Parameters that are not given stand at what is typical, and a comment says so.
+/// One effect. Parameters that are not given stay as the model has them; else they are typical, and a comment says so.
 struct AddedEffect {
   std::string id;
   std::vector<AddedValue> values;

@@ -120,6 +120,16 @@ TEST(AddByHand, PutsEffectsIntoTheFileAndLeavesItsComments) {
   EXPECT_THAT(text, HasSubstr("exponent: " + std::string{messages::kTypicalValue}));
 }
 
+TEST(AddByHand, LeavesTheOtherParametersOfAnEffectThatIsThere) {
+  const std::string there = std::string{kModel} +
+                            "[effect stribeck]\nfriction = 0.01 N m\nspeed = 0.33 rad/s\nexponent = 1.5\n" +
+                            "[effect stribeck Neck]\nfriction = 0.01 N m\nspeed = 0.5 rad/s\nexponent = 1.5\n";
+  const std::string text = withAdditions(there, additionsFrom({"stribeck.friction=0.02"}));
+  EXPECT_THAT(text, HasSubstr("[effect stribeck]\nfriction = 0.02 N m\nspeed = 0.33 rad/s"));
+  EXPECT_THAT(text, HasSubstr("[effect stribeck Neck]\nfriction = 0.02 N m\nspeed = 0.5 rad/s"));
+  EXPECT_THAT(text, Not(HasSubstr(messages::kTypicalValue)));
+}
+
 struct Refused {
   const char* effect;
   std::string says;
