@@ -1,8 +1,9 @@
 #include "gap/record/kept_recording.hpp"
 
-#include <ctime>
+#include <optional>
 
 #include "core/text/formatted.hpp"
+#include "experiments/logs/date.hpp"
 #include "gap/case/body/parse_body_case.hpp"
 
 namespace darwinop::gap {
@@ -16,10 +17,9 @@ double beginOf(const logs::Log& recording, const PlannedRecording& plan, const s
     throw refuse("it is not a recording of the experiment " + plan.experiment);
   const std::string robot = robotOf(recording);
   if (twin.empty() ? robot.starts_with(kTwinInHead) : robot != twin) throw refuse(messages::kOfAnotherRobot + robot);
-  std::tm begin{};
-  const std::string date = recording.headValue("date").value_or("");
-  if (strptime(date.c_str(), "%Y-%m-%dT%H:%M:%SZ", &begin) == nullptr) throw refuse("its date is missing");
-  return static_cast<double>(timegm(&begin));
+  const std::optional<double> date = logs::dateOf(recording);
+  if (!date) throw refuse("its date is missing");
+  return *date;
 }
 
 std::string robotOf(const logs::Log& recording) {

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <stdexcept>
 
+#include "experiments/logs/date.hpp"
 #include "experiments/logs/read_log.hpp"
 #include "gap/case/baseline_keys.hpp"
 #include "gap/case/parse_case.hpp"
@@ -59,11 +61,32 @@ twin::JointPendulum pendulumOf(const twin::Model& model, Joint joint, const Alon
   }
 }
 
+/// When each recording began in the session, s: by their dates, if all have one, else one right after the other. Two
+/// never overlap; a date is to 1 s, and the twin is faster than its clock.
+std::vector<double> beginsOf(const std::vector<logs::Log>& recordings) {
+  std::vector<std::size_t> order(recordings.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto date = [&](std::size_t i) { return logs::dateOf(recordings[i]); };
+  const bool dated = std::ranges::all_of(order, [&](std::size_t i) { return date(i).has_value(); });
+  if (dated) std::ranges::stable_sort(order, {}, [&](std::size_t i) { return *date(i); });
+  std::vector<double> begins(recordings.size());
+  double end_s = 0;
+  for (const std::size_t i : order) {
+    begins[i] = dated ? std::max(end_s, *date(i) - *date(order.front())) : end_s;
+    end_s = begins[i] + recordings[i].seconds(recordings[i].rows() - 1) - recordings[i].seconds(0);
+  }
+  return begins;
+}
+
 std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& model) {
   std::vector<Part> parts;
-  double session_s = 0;
-  const auto add = [&](const std::string& file, bool held_out) {
-    const logs::Log log = logs::readLog(file);
+  std::vector<logs::Log> recordings;
+  for (const std::vector<std::string>* const files : {&request.recordings, &request.held_out})
+    for (const std::string& file : *files) recordings.push_back(logs::readLog(file));
+  const std::vector<double> begins_s = beginsOf(recordings);
+  const auto add = [&](std::size_t i, bool held_out) {
+    const logs::Log& log = recordings[i];
+    const std::string& file = log.file;
     const std::vector<AlonePart> found = aloneParts(log, request.joint);
     if (found.empty())
       throw std::runtime_error(file + ": there are no 2 s in which " +
@@ -72,11 +95,9 @@ std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& mo
     const fs::path path{file};
     for (const AlonePart& one : found)
       parts.push_back({file, path.filename().string(), log.headValue("experiment").value_or(path.stem().string()),
-                       held_out, one, session_s - log.seconds(0), pendulumOf(model, request.joint, one, file)});
-    session_s += log.seconds(log.rows() - 1) - log.seconds(0);
+                       held_out, one, begins_s[i] - log.seconds(0), pendulumOf(model, request.joint, one, file)});
   };
-  for (const std::string& file : request.recordings) add(file, false);
-  for (const std::string& file : request.held_out) add(file, true);
+  for (std::size_t i = 0; i < recordings.size(); ++i) add(i, i >= request.recordings.size());
   if (request.recordings.empty()) throw std::runtime_error("a case needs a recording to be fitted; name one or more");
   return parts;
 }

@@ -45,6 +45,21 @@ TEST_F(JointCase, ASessionBeginsWithItsFirstRecording) {
   EXPECT_NEAR(made.logs[1].session_start_s, 8 + 1.5, 0.1);
 }
 
+// --keep comes last, whenever it was recorded.
+TEST_F(JointCase, TheDatesOfItsRecordingsAreTheClockOfASession) {
+  const auto recordedAt = [](const std::string& minute) {
+    std::string text = recordedSwing();
+    return text.insert(text.find("# experiment"), "# date: 2026-05-01T10:" + minute + ":00Z\n");
+  };
+  std::ofstream{file("early.csv")} << recordedAt("00");
+  std::ofstream{file("late.csv")} << recordedAt("10");
+  writeJointCase({.recordings = {file("late.csv")}, .held_out = {file("early.csv")}}, file("case"));
+  const Case made = readCase(file("case"));
+  ASSERT_EQ(made.logs.size(), 2U);
+  EXPECT_NEAR(made.logs[0].session_start_s, 600 + 1.5, 0.1);
+  EXPECT_NEAR(made.logs[1].session_start_s, 1.5, 0.1);
+}
+
 // A battery's voltage falls in a session, and repeats of a day have the names of those of another.
 TEST_F(JointCase, EachRecordingHasItsOwnSupplyAndRowsWhateverItsName) {
   std::string low = recordedSwing();
