@@ -9,6 +9,7 @@
 #include "connect/setting.hpp"
 #include "connect/twin_library.hpp"
 #include "exit_codes.hpp"
+#include "gap/case/folder_files.hpp"
 #include "gap_commands.hpp"
 #include "gap_files.hpp"
 #include "gap_recorder.hpp"
@@ -79,7 +80,7 @@ int recordBody(const Arguments& asked) {
     std::cerr << "darwinop gap: " << failed.what() << '\n';
     return app::kFailed;
   }
-  const std::string name = fs::path{given.out}.lexically_normal().filename().string();
+  const std::string name = nameOfFolder(given.out);
   writeTextFile(file, bodyCaseJson(name.empty() ? "robot" : name, model, kind, recorder.made(plans)));
   std::cerr << "darwinop gap: " << given.out << " is the case; next: darwinop gap run " << given.out << '\n';
   return 0;

@@ -13,6 +13,7 @@
 #include "experiments/logs/date.hpp"
 #include "experiments/logs/read_log.hpp"
 #include "gap/case/baseline_keys.hpp"
+#include "gap/case/folder_files.hpp"
 #include "gap/case/parse_case.hpp"
 #include "gap/case/robot/alone.hpp"
 #include "gap/case/write_case.hpp"
@@ -150,7 +151,7 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
   const double length_m = lengthOf(parts.front());
   if (const double supply = parts.front().what.supply_v; supply > 0) model.servo.supply_v = supply;
 
-  Json json = {{"case", fs::path{folder}.filename().string()},
+  Json json = {{"case", nameOfFolder(folder)},
                {"model", "model.ini"},
                {"arm", {{"arm_mass_kg", 0.0}, {"length_m", length_m}}},
                {"prior_rel_sigma", priorsOf(model, request.joint)},

@@ -60,6 +60,12 @@ TEST_F(JointCase, TheDatesOfItsRecordingsAreTheClockOfASession) {
   EXPECT_NEAR(made.logs[1].session_start_s, 1.5, 0.1);
 }
 
+TEST_F(JointCase, HasTheNameOfItsFolderAlsoWithASlashBehindIt) {
+  std::ofstream{file("swing.csv")} << recordedSwing();
+  writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("shoulder/"));
+  EXPECT_EQ(readCase(file("shoulder")).name, "shoulder");
+}
+
 // A battery's voltage falls in a session, and repeats of a day have the names of those of another.
 TEST_F(JointCase, EachRecordingHasItsOwnSupplyAndRowsWhateverItsName) {
   std::string low = recordedSwing();
