@@ -15,6 +15,7 @@ inline constexpr const char* kOtherCase =
 inline constexpr const char* kModelOfReport = ", repaired.ini the model with the effects";
 inline constexpr const char* kRecordingExists =
     " exists; --resume keeps the recordings there and makes the others, or give another folder with --out";
+inline constexpr const char* kModelOfFirstCommand = " is the model, as before; give another one with --model";
 }  // namespace messages
 
 /// Throws std::runtime_error with the path and the reason.

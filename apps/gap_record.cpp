@@ -40,6 +40,17 @@ std::string modelFor(const std::string& wanted, const std::string& folder) {
   return "model.ini";
 }
 
+/// --resume without --model or --floor: as the first command had them, which the folder shows.
+bool takeFirstCommand(Arguments& given) {
+  if (!given.resume) return false;
+  if (fs::exists(fs::path{given.out} / "standing.csv")) given.floor = true;
+  const fs::path model = fs::path{given.out} / "model.ini";
+  if (!given.model.empty() || !fs::exists(model)) return false;
+  std::cerr << "darwinop gap: " << model.string() << messages::kModelOfFirstCommand << '\n';
+  (void)twin::readModel(model.string());
+  return true;
+}
+
 connect::Setting settingOf(const std::string& robot) {
   connect::Setting setting = connect::readSetting(robot);
   if (connect::loopIsElsewhere(setting))
@@ -58,6 +69,7 @@ int recordBody(const Arguments& asked) {
     given.robot = usual;
   const connect::Setting robot = settingOf(given.robot);
   const std::string file = newCaseFile(given.out);
+  const bool has_model = takeFirstCommand(given);
   const std::vector<PlannedRecording> plans = plannedRecordings(given.floor);
   for (const PlannedRecording& plan : plans)
     if (const fs::path recording = fs::path{given.out} / plan.file; !given.resume && fs::exists(recording))
@@ -65,7 +77,7 @@ int recordBody(const Arguments& asked) {
   makeFolder(given.out);
   // Ctrl-C ends the experiment, gently, and then this program.
   onEndSignals([](int number, siginfo_t*, void*) { ended_by = number; });
-  const std::string model = modelFor(given.model, given.out);
+  const std::string model = has_model ? "model.ini" : modelFor(given.model, given.out);
   const bool is_file = model == "model.ini";
   const auto kind = robot.kind == RobotKind::kTwin ? RecordedRobot::kSimulated : RecordedRobot::kPhysical;
   const std::string twin = robot.kind == RobotKind::kTwin ? connect::twinInHead(robot.model) : "";

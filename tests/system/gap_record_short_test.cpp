@@ -114,6 +114,15 @@ TEST_F(GapRecordShort, AFileThatIsNotARecordingIsKept) {
   EXPECT_EQ(textOf(file("case/face_down.csv")), "mine");
 }
 
+TEST_F(GapRecordShort, AResumedOneKeepsTheModelOfTheFirstCommand) {
+  std::filesystem::create_directories(file("case"));
+  std::filesystem::copy_file(DARWINOP_USUAL_MODEL, file("case/model.ini"));
+  std::ofstream{file("case/standing.csv")} << "mine";  // of --floor, and checked before anything moves
+  EXPECT_EQ(gap({"record", "--robot", "twin", "--out", file("case"), "--resume"}, seconds{10}), 2);
+  EXPECT_THAT(said_, testing::HasSubstr(file("case/model.ini") + gap::messages::kModelOfFirstCommand));
+  EXPECT_THAT(said_, testing::HasSubstr("standing.csv"));
+}
+
 TEST_F(GapRecordShort, AFolderThatCannotBeMadeIsNamedWithTheReason) {
   std::ofstream{file("taken")} << "a file";
   EXPECT_EQ(gap({"record", "--robot", "twin", "--out", file("taken/case")}, seconds{10}), 2);
