@@ -30,18 +30,18 @@ std::string kindOf(const std::string& file) {
   return end == std::string::npos ? stem : stem.substr(0, end + 1);
 }
 
-}  // namespace
-
-std::optional<Joint> jointIn(Fields& fields) {
-  if (!fields.has("joint")) return std::nullopt;
+std::optional<Joint> jointOf(Fields& entry) {
+  if (!entry.has("joint")) return std::nullopt;
   std::vector<std::string_view> names;
   names.reserve(kJoints);
   for (const JointRow& row : kJointTable) names.push_back(row.name);
-  const std::string name = fields.text("joint");
+  const std::string name = entry.text("joint");
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return static_cast<Joint>(i);
-  fields.fail("joint", "is not a joint; " + text::suggestion(name, names));
+  entry.fail("joint", "is not a joint; " + text::suggestion(name, names));
 }
+
+}  // namespace
 
 std::string logFileIn(Fields& entry) {
   std::string file = entry.text("file");
@@ -72,7 +72,7 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   if (entry.has("t0_session_s")) out.session_start_s = entry.number("t0_session_s", kSession);
   out.head.speed_limit_rad_s = entry.number("speed_limit_rad_s", kProfileSpeed, 0);
   out.repeats = entry.text("repeat_of", "");
-  out.joint = jointIn(entry);
+  out.joint = jointOf(entry);
   out.from_s = entry.number("from_s", kClock, -std::numeric_limits<double>::infinity());
   out.to_s = entry.number("to_s", kClock, std::numeric_limits<double>::infinity());
   out.firmware_in_step = entry.flag("firmware_in_step", false);

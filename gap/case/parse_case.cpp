@@ -81,12 +81,16 @@ void takeOrder(Fields& top, bool recording, Case& into) {
   into.goal_order = order;
 }
 
-/// That of the case, or of its recordings.
-std::optional<Joint> takeJoint(Fields& top, const std::vector<LogEntry>& entries) {
-  const std::optional<Joint> whole = jointIn(top), of_logs = entries.front().joint;
-  if (whole && of_logs && whole != of_logs)
+/// That of the case, or of its recordings. An arm of another kind has names of its own, which say nothing here.
+void takeJoint(Fields& top, const std::vector<LogEntry>& entries, Case& into) {
+  into.joint = entries.front().joint;
+  if (!top.has("joint")) return;
+  const std::string name = top.text("joint");
+  const std::optional<Joint> whole = findJoint(name);
+  if (!whole) into.warnings.push_back("joint " + name + messages::kOfAnotherRobot);
+  if (whole && into.joint && whole != into.joint)
     top.fail("joint", std::string{messages::kOtherJoint} + "; keep one of the two");
-  return whole ? whole : of_logs;
+  if (whole) into.joint = whole;
 }
 
 /// An arm that turns about a vertical axis has inertia and no weight.
@@ -169,7 +173,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   linkRepeats(top, entries);
   const Encodings raw = readEncodings(top);
   for (const LogEntry& entry : entries) out.logs.push_back(entry.head);
-  out.joint = takeJoint(top, entries);
+  takeJoint(top, entries, out);
   readModelPart(top, files, out.joint, out);
   takeAxis(top, out);
   out.logs.clear();

@@ -39,8 +39,6 @@ struct LogEntry {
   bool firmware_in_step;       // of a plain log with written_s and read_s
   double hangs_at_rad;         // angle of the joint at which the arm hangs down; a case counts from there
 };
-/// `joint`; nothing: not given.
-std::optional<Joint> jointIn(Fields& fields);
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);
 /// Of an entry: `file`, which must be in the folder, and `role`.
 std::string logFileIn(Fields& entry);

@@ -242,5 +242,17 @@ TEST(CaseRead, ALogHasItsOwnBench) {
   EXPECT_EQ(all.read().pendulum.length_m, 0.2);
 }
 
+// A robot's results go to that joint's section of its model.
+TEST(CaseRead, ItsJointIsOneOfTheRobotOrSaysNothing) {
+  const auto with = [](const std::string& joint) {
+    return CaseTexts{}.with("\"logs\"", "\"joint\": \"" + joint + "\", \"logs\"").read();
+  };
+  EXPECT_EQ(with("Neck").joint, Joint::kNeck);
+  EXPECT_THAT(with("Neck").warnings, ElementsAre());
+  const Case arm = with("Elbow");
+  EXPECT_EQ(arm.joint, std::nullopt);
+  EXPECT_THAT(arm.warnings, ElementsAre(HasSubstr(messages::kOfAnotherRobot)));
+}
+
 }  // namespace
 }  // namespace darwinop::gap
