@@ -43,6 +43,11 @@ inline constexpr const char* kRemoveMarker = ". Remove it: sudo rm -r ";  // the
 
 // operator.cpp
 inline constexpr const char* kRuntimeHasEnded = ") has ended; start it again with: darwinop runtime";  // after the pid
+inline constexpr const char* kNotReleased =
+    ") has not released the robot within 3 s: hold it and press RESET on its back";  // after the pid
+inline constexpr const char* kReleasedInSilence =
+    "the board does not answer, so torque could not be switched off: hold the robot and press RESET on its back, or "
+    "expect it to drop when the board answers again";
 
 // python_command.cpp
 inline constexpr const char* kNoPythonModules = "this build has no Python modules: there is no ";  // then the folder

@@ -68,10 +68,13 @@ void releaseRobot(const RuntimeFiles& files) {
   const MonotonicClock clock;
   const Nanos end = clock.now() + kPatience;
   exchange.commands().release.ask();
-  for (Sensors seen; !seen.safety.active[safety::rowIndex(Fault::kReleasedByOperator)];) {
+  Sensors seen;
+  const auto taken = [&] { return seen.safety.active[safety::rowIndex(Fault::kReleasedByOperator)]; };
+  while (!taken() || seen.safety.state == State::kOffline) {  // offline, nothing is sent
     if (clock.now() > end)
-      throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
-                               ") has not released the robot within 3 s: hold it and press RESET on its back");
+      throw std::runtime_error(taken() ? messages::kReleasedInSilence
+                                       : "the runtime (pid " + std::to_string(exchange.block().info.pid) +
+                                             messages::kNotReleased);
     std::this_thread::sleep_for(kCheckInterval);
     (void)exchange.block().sensors.read(seen);
   }

@@ -21,7 +21,8 @@ std::string daemonStatus(const RuntimeFiles& files);
 void resetFaults(const RuntimeFiles& files);
 
 /// Switches torque off on every joint at once, in any session; the robot may drop. The controller is requested to end.
-/// Torque stays off until a person resets the fault or starts a controller.
+/// Torque stays off until a person resets the fault or starts a controller. Throws std::runtime_error if the loop hangs
+/// or the board is silent: torque then goes off when the board answers again.
 void releaseRobot(const RuntimeFiles& files);
 
 /// Checks the present pose in a cycle that ends after the call. Throws std::runtime_error if no cycle does.

@@ -38,15 +38,20 @@ std::atomic<bool> end_requested{false};
 // Exit codes of the child.
 constexpr int kLostAtRest = 3, kLeftStiff = 4;
 
+struct Cables {
+  bool power, unplugged;
+};
+
 /// A daemon with a fake robot, 4 ms, in a child process.
 class DaemonTest : public testing::Test {
  protected:
-  static void serve(const RuntimeFiles& files, std::unique_ptr<Daemon>& daemon, bool power = true) {
+  static void serve(const RuntimeFiles& files, std::unique_ptr<Daemon>& daemon, Cables cables = {true, false}) {
     LoopConfig config;
     config.period = 4ms;
     config.port = "a fake";
     const auto robot = std::make_shared<FakeRobot>();
-    robot->power = power;
+    robot->power = cables.power;
+    robot->unplugged = cables.unplugged;
     daemon = std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(),
                                       std::make_unique<FakeBus>(robot));
     std::signal(SIGTERM, [](int) { end_requested = true; });
@@ -246,6 +251,18 @@ TEST_F(DaemonTest, ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs
   EXPECT_THAT(daemonStatus(files_), ContainsRegex("faults +none\n"));
 }
 
+TEST_F(DaemonTest, ARobotWhoseCableIsOutIsNotReportedAsReleased) {
+  child_.kill(SIGKILL);
+  std::unique_ptr<Daemon> daemon;
+  const Child again{[&] { serve(files_, daemon, {.power = true, .unplugged = true}); }};
+  try {
+    releaseRobot(files_);
+    ADD_FAILURE() << "its servos hold their last goals";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), messages::kReleasedInSilence);
+  }
+}
+
 TEST_F(DaemonTest, AFifoInThePlaceOfItsRecordMeansAReleaseUntilAPersonActs) {
   child_.kill(SIGKILL);
   ASSERT_EQ(unlink(files_.released.c_str()), 0);
@@ -264,7 +281,7 @@ TEST_F(DaemonTest, ServoPowerThatIsFoundOffAfterADaemonThatDroveIsARelease) {
   const auto status_of = [this](bool held) {
     std::unique_ptr<Daemon> daemon;
     if (!held) RobotNotes::forget(files_);
-    const Child next{[&] { serve(files_, daemon, false); }};
+    const Child next{[&] { serve(files_, daemon, {.power = false, .unplugged = false}); }};
     for (int i = 0; i < 500 && daemonStatus(files_).find("limp") == std::string::npos; ++i)
       std::this_thread::sleep_for(10ms);
     std::this_thread::sleep_for(100ms);

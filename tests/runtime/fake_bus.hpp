@@ -14,6 +14,7 @@ struct FakeRobot {
   std::array<bool, kJoints> torque{};
   std::array<bool, kJoints> dead{};
   bool power = true;  // of the servos
+  bool unplugged = false;
   std::uint32_t writes = 0, reads = 0;
   std::int64_t bus_ns = 5'400'000, wire_ns = 5'340'000;
 
@@ -41,6 +42,7 @@ class FakeBus final : public ServoBus {
 
   void read(BusReadings& readings) noexcept override {
     readings = BusReadings{};
+    if (robot_->unplugged) return;
     readings.board.answered = true;
     readings.board.servo_power = robot_->power;
     readings.board.voltage = Volt{11.8};
