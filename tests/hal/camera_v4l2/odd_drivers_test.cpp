@@ -30,6 +30,14 @@ class Changed final : public Quirk {
 };
 
 struct OddDriver : testing::Test {
+  void expectPresentTime() {
+    const Nanos before = monotonicNow();
+    Camera camera{fastOptions(log)};
+    const CameraFrame frame = waitForPicture(camera);
+    EXPECT_GT(frame.time, before);
+    EXPECT_LT(frame.time, monotonicNow());
+  }
+
   VirtualCamera device;
   LogCapture log;
 };
@@ -146,11 +154,7 @@ TEST_F(OddDriver, UsesTimeOfDayTimestamps) {
                         buffer.timestamp.tv_sec = 1;
                         return result;
                       }};
-  const Nanos before = monotonicNow();
-  Camera camera{fastOptions(log)};
-  const CameraFrame frame = waitForPicture(camera);
-  EXPECT_GT(frame.time, before);
-  EXPECT_LT(frame.time, monotonicNow());
+  expectPresentTime();
 }
 
 TEST_F(OddDriver, MarksTheTimeOfDayAsMonotonic) {
@@ -158,11 +162,7 @@ TEST_F(OddDriver, MarksTheTimeOfDayAsMonotonic) {
                         static_cast<v4l2_buffer*>(answer)->timestamp.tv_sec = 2'000'000'000;
                         return result;
                       }};
-  const Nanos before = monotonicNow();
-  Camera camera{fastOptions(log)};
-  const CameraFrame frame = waitForPicture(camera);
-  EXPECT_GT(frame.time, before);
-  EXPECT_LT(frame.time, monotonicNow());
+  expectPresentTime();
 }
 
 TEST_F(OddDriver, TakesNoPictures) {
