@@ -68,7 +68,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "check the USB cable and the robot's power switch; the runtime resumes when the board replies", Checked::kAlways,
      "",
      "Powered servos hold their last goal. At the first answer joints continue gently from where they are; without a "
-     "controller the robot kneels."},
+     "controller on_exit applies."},
     {Fault::kBoardReset, Reaction::kLimp, true, true, "board_reset",
      "servo power was lost while the robot was under torque: RESET was pressed or the supply dipped",
      "hold the robot, then press START or start the controller again; if RESET was not pressed, check battery and "

@@ -18,8 +18,8 @@ struct RuntimeFiles {
   std::string commands;    // input of the loop: written by the runtime's group
   std::string loop_lock;   // locked while the loop runs
   std::string drive_lock;  // driving lease: locked by the controller that drives
-  std::string released;    // exists from a release by a person until a person acts; survives the daemon, not a reboot
-  std::string held;        // exists while joints are held; survives the daemon, not a reboot
+  std::string released;  // 1 from a release by a person until a person acts, else 0; survives the daemon, not a reboot
+  std::string held;      // 1 while joints are held, else 0; survives the daemon, not a reboot
   // Camera pictures for observers, and the time of their last request: hal/shared_picture/layout.hpp.
   std::string pictures, pictures_asked;
 };

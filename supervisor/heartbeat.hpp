@@ -10,10 +10,10 @@ namespace darwinop::supervisor {
 
 class Heartbeat {
  public:
-  /// A cycle never takes longer than its period: bus reads end at a deadline, and after the loss of the port the loop
-  /// continues without it. Half a second is thirty cycles of 16 ms: far above a legitimate stall, and short for a
-  /// standing robot whose last goals are not corrected meanwhile. Slow loops (periods up to 1 s are allowed) get ten
-  /// periods.
+  /// A cycle takes little longer than its period: bus reads end at a deadline, which at 8 ms a missing reply moves
+  /// beyond it, and after the loss of the port the loop continues without it. Half a second is thirty cycles of 16 ms:
+  /// far above a legitimate stall, and short for a standing robot whose last goals are not corrected meanwhile. Slow
+  /// loops (periods up to 1 s are allowed) get ten periods.
   static constexpr Nanos kShortest{500'000'000};
   /// Maximum time credited per check. If the supervisor itself did not run (the whole machine was stopped), the loop
   /// first gets time to run.

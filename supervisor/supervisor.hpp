@@ -26,7 +26,8 @@ struct Setup {
   std::string runtime_program;  // darwinop-runtime
 };
 
-/// One thread checks everything every 20 ms and never blocks; diagram in docs/supervisor.md.
+/// One thread checks everything every 20 ms; it waits for locks and ports up to a second; diagram in
+/// docs/supervisor.md.
 class Supervisor {
  public:
   /// Throws std::runtime_error if another supervisor runs, or if the home is not a folder.
