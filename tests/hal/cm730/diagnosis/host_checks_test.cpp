@@ -100,7 +100,7 @@ TEST(HostChecks, MeasuringDoesNotChangeTheCallingThread) {
 }
 
 TEST(HostChecks, TheLimitOfLockedMemoryIsTheOneOfThisProcess) {
-  const auto limitOfAChild = [](unsigned long bytes) {
+  const auto limitOfChild = [](unsigned long bytes) {
     const pid_t child = fork();
     if (child == 0) {
       const std::array<unsigned long, 2> limit{bytes, bytes};
@@ -111,8 +111,8 @@ TEST(HostChecks, TheLimitOfLockedMemoryIsTheOneOfThisProcess) {
     waitpid(child, &status, 0);
     return status;
   };
-  EXPECT_EQ(limitOfAChild(4096), 0);
-  EXPECT_EQ(limitOfAChild(0), 0);
+  EXPECT_EQ(limitOfChild(4096), 0);
+  EXPECT_EQ(limitOfChild(0), 0);
 }
 
 }  // namespace
