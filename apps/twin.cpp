@@ -1,11 +1,13 @@
 // darwinop-twin: view or record a run of the physics twin, render a picture, list models and effects.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/text_file.hpp"
@@ -120,7 +122,12 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer("Example:\n  darwinop twin view build/release/controllers/01_hello_head");
-  if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
+  // CLI11 would give what follows to the program, not to its subcommand.
+  char** const end = argv + argc;
+  char** const dashes =
+      argc > 1 && argv[1] == std::string_view{"view"} ? std::find(argv, end, std::string_view{"--"}) : end;
+  if (const auto code = darwinop::app::parseArguments(app, static_cast<int>(dashes - argv), argv)) return *code;
+  if (dashes != end) a.show.controller.insert(a.show.controller.end(), dashes + 1, end);
   if (view.parsed()) return twin::show(a.show);
   if (picture.parsed()) return drawPicture(a);
   return models.parsed() ? printModels() : printEffects();

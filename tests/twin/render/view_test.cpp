@@ -49,6 +49,12 @@ TEST_F(View, ShowsTheMotionOfTheController) {
   EXPECT_NE(readPng(film + "/frame_00001.png").rgb, readPng(film + "/frame_00030.png").rgb);  // the head moved
 }
 
+TEST_F(View, HandsWhatFollowsTheDashesToTheController) {
+  const std::string film = folder_ / "film";
+  EXPECT_THAT(shell(kTwin + " view --record " + film + " --seconds 1 --size 32x32 /bin/echo -- --seconds 60").said,
+              HasSubstr("--seconds 60\n"));
+}
+
 TEST_F(View, EndsWithTheStatusOfAControllerThatCannotRun) {
   const Outcome made = shell(kTwin + " view --record " + (folder_ / "film") + " --size 32x32 /no/such/controller");
   EXPECT_EQ(made.status, 2) << made.said;
