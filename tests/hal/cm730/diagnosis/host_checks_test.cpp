@@ -99,20 +99,22 @@ TEST(HostChecks, MeasuringDoesNotChangeTheCallingThread) {
   EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
 }
 
+/// 0: a process with this limit measures it.
+int statusWithLimit(unsigned long bytes) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::array<unsigned long, 2> limit{bytes, bytes};
+    if (syscall(SYS_setrlimit, RLIMIT_MEMLOCK, limit.data()) != 0) _exit(2);
+    _exit(measureHost(80).memory_limit == std::optional<std::uint64_t>{bytes} ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
 TEST(HostChecks, TheLimitOfLockedMemoryIsTheOneOfThisProcess) {
-  const auto limitOfChild = [](unsigned long bytes) {
-    const pid_t child = fork();
-    if (child == 0) {
-      const std::array<unsigned long, 2> limit{bytes, bytes};
-      if (syscall(SYS_setrlimit, RLIMIT_MEMLOCK, limit.data()) != 0) _exit(2);
-      _exit(measureHost(80).memory_limit == std::optional<std::uint64_t>{bytes} ? 0 : 1);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return status;
-  };
-  EXPECT_EQ(limitOfChild(4096), 0);
-  EXPECT_EQ(limitOfChild(0), 0);
+  EXPECT_EQ(statusWithLimit(4096), 0);
+  EXPECT_EQ(statusWithLimit(0), 0);
 }
 
 }  // namespace
