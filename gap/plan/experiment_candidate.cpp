@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/conversions.hpp"
 #include "experiments/format/experiment_files.hpp"
 #include "experiments/format/reader.hpp"
+#include "gap/case/median.hpp"
 #include "gap/plan/bench_experiments.hpp"
 
 namespace darwinop::gap {
@@ -93,10 +95,7 @@ Circumstances circumstancesOf(const Case& given) {
   std::vector<double> gains;
   for (const Trajectory& log : given.logs)
     if (!log.held_out) gains.push_back(log.p_register / kRegisterPerKp);
-  if (!gains.empty()) {
-    std::ranges::nth_element(gains, gains.begin() + std::ssize(gains) / 2);
-    at.p_gain = gains[gains.size() / 2];
-  }
+  if (const double middle = medianOf(std::move(gains)); !std::isnan(middle)) at.p_gain = middle;
   int most = 0;
   for (const auto& [payload, count] : payloads)
     if (count > most) most = count, at.payload_kg = payload;

@@ -10,7 +10,7 @@ inline constexpr const char* kTorqueLimitNotLogged = "it changes the torque limi
 
 // a phase that no experiment file can have
 inline constexpr const char* kGainBeyondFormat =
-    " is its P gain, register / 8, and an experiment has at most 31.75; write it for your own controller";
+    " is its P gain, register / 8: write it for your own controller, as an experiment has at most ";
 
 // an effect of --against
 inline constexpr const char* kEffectGivenTwice = "is given twice in --against";

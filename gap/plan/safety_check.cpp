@@ -131,7 +131,8 @@ Vetted vetted(ExperimentCandidate candidate, const ArmSetup& stand, const Case& 
   };
   for (const Round& round : experiment.rounds)
     for (const experiments::Phase& phase : round.phases)
-      if (phase.p_gain > kMaxPGain) return refuse(shortText(phase.p_gain) + messages::kGainBeyondFormat);
+      if (phase.p_gain > kMaxPGain)
+        return refuse(shortText(phase.p_gain) + messages::kGainBeyondFormat + shortText(kMaxPGain));
   try {
     (void)experiments::makePlan(experiment, safety::hardRanges());
     std::vector<Round> kept;

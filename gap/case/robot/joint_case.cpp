@@ -174,9 +174,9 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
       std::ranges::fill(made.logs[i].load, std::numeric_limits<double>::quiet_NaN());
     done.push_back(sentence(parts[i], made.logs[i].file));
   }
-  writeCase(made, folder);
   if (const std::string wrong = twin::copyBody(model, folder, twin::OtherBody::kReplace); !wrong.empty())
     throw std::runtime_error(wrong);
+  writeCase(made, folder);
   return done;
 }
 

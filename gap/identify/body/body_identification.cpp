@@ -90,7 +90,8 @@ BodyIdentification identify(const BodyCase& given, BodyScope scope) {
     std::vector<BodyRow> rows = std::move(out.table.rows);
     rows.insert(rows.end(), out.floor.rows.begin(), out.floor.rows.end());
     out.table = tableOf(std::move(rows), given);
-    if (!legs_are_explained) out.table.not_tested = {"trunk, floor, contact: joints of a leg are not explained"};
+    if (!legs_are_explained && given.isComplete())
+      out.table.not_tested = {"trunk, floor, contact: joints of a leg are not explained"};
     const FloorModel declared{.robot = {.robot = {bodyBaselineOf(given), {}}, .floor = {}}};
     out.held_out = heldOutGap(given, declared, finalModel(robot, out));
   }

@@ -60,7 +60,7 @@ void SoundPlayer::openTheCard() {
   }
 }
 
-/// Once as long as it stays the same.
+/// Reports an error once as long as it stays the same.
 void SoundPlayer::reportCard(const std::string& error) {
   if (error != card_error_) report_(SoundError{error});
   card_error_ = error;
