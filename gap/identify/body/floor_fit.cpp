@@ -96,6 +96,15 @@ std::vector<Eigen::VectorXd> FloorEvaluator::residuals(const std::vector<FloorSe
   return out;
 }
 
+std::vector<FloorLogRows> FloorEvaluator::rowsOfLogs() const {
+  std::vector<FloorLogRows> out;
+  for (const FloorSamples& block : residuals_->blocks()) {
+    if (block.signal == 0) out.push_back({.begin = block.begin});  // the first signal of a log
+    out.back().rows += block.rows;
+  }
+  return out;
+}
+
 double costOf(const FloorSet& set, const Eigen::VectorXd& residuals) {
   return robustCost(withPriors(set, residuals));
 }

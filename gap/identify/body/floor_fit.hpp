@@ -10,6 +10,11 @@
 
 namespace darwinop::gap {
 
+/// The whitened residuals of a log.
+struct FloorLogRows {
+  Eigen::Index begin = 0, rows = 0;
+};
+
 /// Residuals of models with some effects. Simulates each model once: those that differ in sensors only share it.
 class FloorEvaluator {
  public:
@@ -23,6 +28,7 @@ class FloorEvaluator {
   /// Other noise, same logs: what was simulated stays.
   void useNoiseOf(const FloorResiduals& residuals) { residuals_ = &residuals; }
   [[nodiscard]] Eigen::Index size() const { return residuals_->size(); }
+  [[nodiscard]] std::vector<FloorLogRows> rowsOfLogs() const;
   /// Models that were simulated so far.
   [[nodiscard]] std::size_t simulations() const { return simulations_; }
 

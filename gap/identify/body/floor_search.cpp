@@ -1,56 +1,19 @@
 #include "gap/identify/body/floor_search.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "gap/identify/body/floor_start.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-FloorSet with(FloorSet set, PlacedFloor placed) {
-  set.push_back(std::move(placed));
-  return set;
-}
 
 /// What an effect pays for its numbers (Schwarz); one that is chosen from a list, for the length of the list.
 double priceOf(const FloorEffect& effect, double samples) {
   const auto is_fixed = [](const FloorEffect::Number& number) { return number.is_fixed; };
   if (std::ranges::all_of(effect.numbers, is_fixed)) return 2 * std::log(static_cast<double>(effect.starts.size()));
   return static_cast<double>(effect.numbers.size()) * std::log(samples);
-}
-
-/// The best of an effect's starts, on top of what was found.
-FloorSet bestStart(FloorEvaluator& evaluator, const FloorSet& found, const FloorEffect& effect, double& cost) {
-  std::vector<FloorSet> sets;
-  for (const std::vector<double>& start : effect.starts) sets.push_back(with(found, {&effect, start}));
-  if (effect.is_linear) {
-    const Eigen::VectorXd base = evaluator.residuals({found}).front();
-    const std::vector<Eigen::VectorXd> moved = evaluator.residuals(sets);
-    Eigen::MatrixXd changes(base.size(), std::ssize(sets));
-    for (std::size_t i = 0; i < sets.size(); ++i) changes.col(static_cast<Eigen::Index>(i)) = base - moved[i];
-    Eigen::MatrixXd normal = changes.transpose() * changes;
-    normal.diagonal().array() += 1;
-    const Eigen::VectorXd factors = normal.ldlt().solve(changes.transpose() * base);
-    std::vector<FloorSet> combined;
-    for (const double share : {1.0, 0.5}) {
-      std::vector<double> values = effect.neutral;
-      for (std::size_t i = 0; i < sets.size(); ++i)
-        for (std::size_t k = 0; k < values.size(); ++k)
-          values[k] += share * factors[static_cast<Eigen::Index>(i)] * (effect.starts[i][k] - effect.neutral[k]);
-      for (std::size_t k = 0; k < values.size(); ++k)
-        values[k] = std::clamp(values[k], effect.numbers[k].low, effect.numbers[k].high);
-      combined.push_back(with(found, {&effect, values}));
-    }
-    sets = std::move(combined);
-  }
-  const std::vector<Eigen::VectorXd> residuals = evaluator.residuals(sets);
-  std::size_t best = 0;
-  for (std::size_t i = 0; i < sets.size(); ++i)
-    if (costOf(sets[i], residuals[i]) < costOf(sets[best], residuals[best])) best = i;
-  cost = costOf(sets[best], residuals[best]);
-  return sets[best];
 }
 
 /// Walks are chaotic: the cost has many minima, and derivatives lead into the nearest. Goes on from a better variation.
@@ -94,8 +57,8 @@ std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const st
   std::vector<FloorCandidate> simulated, sensed;
   for (const FloorEffect* const effect : effects) {
     if (std::ranges::find(found, effect, &PlacedFloor::effect) != found.end()) continue;
-    FloorCandidate one;
-    one.fit.set = bestStart(evaluator, found, *effect, one.start_cost);
+    FloorStart start = bestStart(evaluator, found, *effect);
+    FloorCandidate one{.fit = {.set = std::move(start.set), .sigmas = {}}, .start_cost = start.cost};
     (effect->is_of_sensor ? sensed : simulated).push_back(std::move(one));
   }
   std::ranges::stable_sort(simulated, {}, &FloorCandidate::start_cost);

@@ -5,6 +5,7 @@
 
 #include "gap/body/standing_robot.hpp"
 #include "gap/identify/body/floor_selection.hpp"
+#include "gap/identify/body/floor_start.hpp"
 #include "gap/identify/body/floor_text.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -38,6 +39,19 @@ TEST(FloorSearch, NoModelIsSimulatedTwiceWhereOldTracesAreForgotten) {
   for (std::size_t i = 0; i < kMoreThanAreKept; ++i)
     (void)evaluator.residuals({{{&friction, {0.2 + 0.01 * static_cast<double>(i)}}}});
   EXPECT_EQ(evaluator.simulations(), kMoreThanAreKept);
+}
+
+// A robot that leans is not linear in the floor that slopes; one that lies still is. Both together suggest 0.093.
+TEST(FloorSearch, AFitBeginsWhereOneLogByItselfIsExplained) {
+  FloorModel sloped = shippedOnFloor();
+  sloped.robot.floor.tilt_rad = {0.08, -0.1};
+  const BodyCase given = standingRobot(sloped);
+  const MovingImu imu{given.joints.model};
+  const FloorResiduals residuals{given, {0, 1}, imu, shippedOnFloor()};
+  FloorEvaluator evaluator{residuals, shippedOnFloor()};
+  const std::vector<FloorEffect> effects = floorEffects(given.joints.model);
+  const FloorStart start = bestStart(evaluator, {}, effectCalled(effects, "floor_tilt", "floor"));
+  EXPECT_THAT(start.set.back().values, testing::Pointwise(testing::DoubleNear(0.003), {0.08, -0.1}));
 }
 
 TEST(FloorSearch, AMassIsVariedAsAWholeAndWithoutItsPlace) {
