@@ -118,7 +118,8 @@ void Selection::fit(Candidate& candidate) const {
   const double before = cost(fitted_, joints, effects);
   effects.push_back(candidate.start);
   const auto of = [&](const std::vector<PlacedMechanics>& moved) { return residuals(fitted_, joints, moved); };
-  candidate.fit = fitEffects(of, effects, {effects.size() - 1}, false, thresholds::kMechanicsIterations);
+  constexpr double kIndependent = 1;  // ControllerResiduals has seen to rows that count as one
+  candidate.fit = fitEffects(of, effects, {effects.size() - 1}, false, thresholds::kMechanicsIterations, kIndependent);
   candidate.gain = before - candidate.fit.cost;
   const double samples =
       static_cast<double>(fitted_.of(joints.front(), baseline_.servos).size()) / thresholds::kCorrelatedSamples;

@@ -40,11 +40,16 @@ double stepOf(const Number& number) {
   return kDifferenceShare * (typical > 0 ? typical : (number.high - number.low) / 4);
 }
 
+/// Derivative of the robust cost: weight of each residual.
+Eigen::VectorXd robustWeights(const Eigen::VectorXd& z) {
+  return (1 + (z.array() / thresholds::kRobustSigmas).square()).rsqrt();
+}
+
 class Search {
  public:
   Search(const ResidualsOfEffects& residuals_of, std::vector<PlacedMechanics> effects,
-         const std::vector<std::size_t>& free, bool secondary)
-      : of_{residuals_of}, fit_{.effects = std::move(effects), .sigmas = {}} {
+         const std::vector<std::size_t>& free, bool secondary, double rows_alike)
+      : of_{residuals_of}, fit_{.effects = std::move(effects), .sigmas = {}}, rows_alike_{rows_alike} {
     for (const std::size_t effect : free) {
       for (std::size_t number = 0; number < fit_.effects[effect].effect->numbers.size(); ++number) {
         const Number& of = numberOf({effect, number});
@@ -70,9 +75,11 @@ class Search {
   }
   [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& x) const;
   [[nodiscard]] double cost(const Eigen::VectorXd& residuals) const { return robustCost(residuals); }
+  void setSigmas(const Eigen::VectorXd& x, const Eigen::MatrixXd& information);
 
   const ResidualsOfEffects& of_;
   MechanicsFit fit_;
+  double rows_alike_;
   std::vector<Coordinate> coordinates_;
 };
 
@@ -97,7 +104,7 @@ MechanicsFit Search::run(int iterations) {
   Eigen::VectorXd z = residuals(x);
   fit_.cost = cost(z);
   double damping = 1e-2;
-  Eigen::MatrixXd information = Eigen::MatrixXd::Identity(x.size(), x.size());
+  Eigen::MatrixXd of_data = Eigen::MatrixXd::Identity(x.size(), x.size()), of_priors = 0 * of_data;
   for (int iteration = 0; iteration < iterations && x.size() > 0; ++iteration) {
     Eigen::MatrixXd jacobian(z.size(), x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -109,16 +116,16 @@ MechanicsFit Search::run(int iterations) {
       moved[i] += step;
       jacobian.col(i) = (residuals(moved) - z) / step;
     }
-    // Derivative of the robust cost: weight of each residual.
-    const Eigen::VectorXd weight = z.unaryExpr([](double one) {
-      const double ratio = one / thresholds::kRobustSigmas;
-      return 1 / std::sqrt(1 + ratio * ratio);
-    });
-    information = jacobian.transpose() * weight.asDiagonal() * jacobian;
+    const Eigen::VectorXd weight = robustWeights(z);
+    const auto informationIn = [&](Eigen::Index from, Eigen::Index rows) -> Eigen::MatrixXd {
+      const auto part = jacobian.middleRows(from, rows);
+      return part.transpose() * weight.segment(from, rows).asDiagonal() * part;
+    };
+    of_data = informationIn(0, z.size() - x.size()), of_priors = informationIn(z.size() - x.size(), x.size());
     const Eigen::VectorXd slope = jacobian.transpose() * weight.cwiseProduct(z);
     const double before = fit_.cost;
     for (; damping < kMostDamping; damping *= 10) {
-      Eigen::MatrixXd left = information;
+      Eigen::MatrixXd left = of_data + of_priors;
       left.diagonal() *= 1 + damping;
       left.diagonal().array() += 1e-9;
       Eigen::VectorXd next = x - left.ldlt().solve(slope);
@@ -136,18 +143,20 @@ MechanicsFit Search::run(int iterations) {
     if (before - fit_.cost < kLeastGain) break;
   }
   fit_.effects = at(x);
-  if (x.size() > 0) {
-    information.diagonal().array() += 1e-9;
-    const Eigen::MatrixXd covariance = information.inverse();
-    for (std::size_t i = 0; i < coordinates_.size(); ++i) {
-      const Number& number = numberOf(coordinates_[i]);
-      const auto k = static_cast<Eigen::Index>(i);
-      const double sigma = std::sqrt(std::max(0.0, covariance(k, k)));
-      fit_.sigmas[coordinates_[i].effect][coordinates_[i].number] =
-          number.is_logarithmic ? sigma * valueOf(number, x[k]) : sigma;
-    }
-  }
+  if (x.size() > 0) setSigmas(x, of_data / rows_alike_ + of_priors);
   return fit_;
+}
+
+void Search::setSigmas(const Eigen::VectorXd& x, const Eigen::MatrixXd& information) {
+  const Eigen::MatrixXd covariance = (information + 1e-9 * Eigen::MatrixXd::Identity(x.size(), x.size())).inverse();
+  for (std::size_t i = 0; i < coordinates_.size(); ++i) {
+    const Number& number = numberOf(coordinates_[i]);
+    const auto k = static_cast<Eigen::Index>(i);
+    const double value = valueOf(number, x[k]);
+    const double sigma = std::sqrt(std::max(0.0, covariance(k, k))) * (number.is_logarithmic ? value : 1);
+    const double finest = thresholds::kFinestInterval / thresholds::kInterval90 * std::abs(value - number.neutral);
+    fit_.sigmas[coordinates_[i].effect][coordinates_[i].number] = std::max(sigma, finest);
+  }
 }
 
 }  // namespace
@@ -174,8 +183,8 @@ double robustCost(const Eigen::VectorXd& whitened) {
 }
 
 MechanicsFit fitEffects(const ResidualsOfEffects& residuals, std::vector<PlacedMechanics> effects,
-                        const std::vector<std::size_t>& free, bool secondary, int iterations) {
-  return Search{residuals, std::move(effects), free, secondary}.run(iterations);
+                        const std::vector<std::size_t>& free, bool secondary, int iterations, double rows_alike) {
+  return Search{residuals, std::move(effects), free, secondary, rows_alike}.run(iterations);
 }
 
 MechanicsFit fitMechanics(const ClampedRobot& robot, std::vector<PlacedMechanics> effects,
@@ -193,7 +202,7 @@ MechanicsFit fitMechanics(const ClampedRobot& robot, std::vector<PlacedMechanics
     }
     return out;
   };
-  return fitEffects(of, std::move(effects), free, secondary, iterations);
+  return fitEffects(of, std::move(effects), free, secondary, iterations, thresholds::kCorrelatedSamples);
 }
 
 }  // namespace darwinop::gap
