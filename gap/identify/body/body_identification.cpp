@@ -92,7 +92,7 @@ BodyIdentification identify(const BodyCase& given, BodyScope scope) {
     out.table = tableOf(std::move(rows), given);
     if (!legs_are_explained && given.isComplete())
       out.table.not_tested = {"trunk, floor, contact: joints of a leg are not explained"};
-    const FloorModel declared{.robot = {.robot = {bodyBaselineOf(given), {}}, .floor = {}}};
+    const FloorModel declared{.robot = {.robot = declaredRobot(given), .floor = {}}};
     out.held_out = heldOutGap(given, declared, finalModel(robot, out));
   }
   out.verdict = verdictOf(out);

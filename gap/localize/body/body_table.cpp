@@ -45,8 +45,8 @@ BodyTable tableOf(std::vector<BodyRow> rows, const BodyCase& given) {
 
 namespace {
 
-std::vector<BodyRow> ownRows(const BodyCase& given, const RestingImu& imu) {
-  std::vector<BodyRow> rows = jointRows(given);
+std::vector<BodyRow> ownRows(const BodyCase& given, const RestingImu& imu, const BodyHypothesis& robot) {
+  std::vector<BodyRow> rows = jointRows(given, robot.has_board_supply);
   for (BodyRow& row : imuRows(given, imu)) rows.push_back(std::move(row));
   return rows;
 }
@@ -54,11 +54,11 @@ std::vector<BodyRow> ownRows(const BodyCase& given, const RestingImu& imu) {
 }  // namespace
 
 BodyTable localize(const BodyCase& given, const RestingImu& imu) {
-  return tableOf(ownRows(given, imu), given);
+  return tableOf(ownRows(given, imu, declaredRobot(given)), given);
 }
 
 BodyTable localize(const BodyCase& given, const RestingImu& imu, const ClampedRobot& robot) {
-  std::vector<BodyRow> rows = ownRows(given, imu);
+  std::vector<BodyRow> rows = ownRows(given, imu, robot.baseline());
   for (BodyRow& row : mechanicsRows(robot, robot.baseline())) rows.push_back(std::move(row));
   return tableOf(std::move(rows), given);
 }

@@ -52,8 +52,8 @@ BodyTable localize(const BodyCase& given, const RestingImu& imu, const ClampedRo
 std::string asText(const BodyTable& table);
 nlohmann::ordered_json asJson(const BodyTable& table);
 
-// Parts of localize().
-std::vector<BodyRow> jointRows(const BodyCase& given);
+// Parts of localize(). `has_board_supply`: as in BodyHypothesis.
+std::vector<BodyRow> jointRows(const BodyCase& given, bool has_board_supply);
 std::vector<BodyRow> imuRows(const BodyCase& given, const RestingImu& imu);
 /// A row for each joint of the limb.
 std::vector<BodyRow> limbRows(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& hypothesis);

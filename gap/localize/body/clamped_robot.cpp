@@ -10,9 +10,10 @@ namespace darwinop::gap {
 ClampedRobot::ClampedRobot(const BodyCase& given, bool has_board_supply)
     : given_{given},
       limbs_{limbsOf(given.joints.model)},
-      baseline_{bodyBaselineOf(given), {}, has_board_supply},
+      baseline_{declaredRobot(given)},
       is_testable_{given.joints.model.servo.law == twin::Law::kVoltageP && !clampedLogs(given, false).empty()},
       residuals_(limbs_.size()) {
+  baseline_.has_board_supply = baseline_.has_board_supply || has_board_supply;
   for (std::size_t limb = 0; limb < limbs_.size(); ++limb)
     for (const Link& link : limbs_[limb]) limb_of_[static_cast<std::size_t>(link.joint)] = limb;
   if (!is_testable_) return;

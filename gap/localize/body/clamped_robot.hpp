@@ -12,7 +12,7 @@ namespace darwinop::gap {
 class ClampedRobot {
  public:
   /// Throws std::runtime_error where the body has limbs that cannot be simulated.
-  /// `has_board_supply`: as in BodyHypothesis.
+  /// `has_board_supply`: as in BodyHypothesis, even if the model's battery has no resistance.
   explicit ClampedRobot(const BodyCase& given, bool has_board_supply = false);
 
   /// There is a log with a clamped trunk, and the servos' law can be simulated.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/registers.hpp"
 #include "gap/localize/absorb.hpp"
 #include "gap/localize/body/body_table.hpp"
 #include "gap/localize/fit_nuisances.hpp"
@@ -20,8 +21,22 @@ std::vector<std::size_t> fittedJointLogs(const BodyCase& given) {
   return logs;
 }
 
+constexpr double kBoardStep = find(kCm730, "voltage").scale;  // V
+
+/// The supply is what the board measured where that is known: a battery with a resistance has less for all servos.
+void useBoardSupply(const BodyLog& log, BlockResiduals& samples) {
+  for (std::size_t k = 0; k < samples.row.size(); ++k) {
+    const std::size_t row = samples.row[k];
+    if (row >= log.board_v.size() || std::isnan(log.board_v[row])) continue;
+    const auto at = static_cast<Eigen::Index>(k);
+    samples.residual[at] += log.battery_v - log.board_v[row];
+    samples.sigma[at] = std::hypot(samples.sigma[at], kBoardStep / std::sqrt(12.0));
+  }
+}
+
 /// Residuals of one block in each of `logs`; z after what numbers inside their priors explain, the same for all servos.
-std::vector<BlockResiduals> samplesOf(Block block, const BodyCase& given, const std::vector<std::size_t>& logs) {
+std::vector<BlockResiduals> samplesOf(Block block, const BodyCase& given, const std::vector<std::size_t>& logs,
+                                      bool has_board_supply) {
   const Hypothesis robot = bodyBaselineOf(given);
   const BlockResidualFunction cut = [&](const Trajectory& log, const Hypothesis& hypothesis) {
     return jointResiduals(block, given, log, hypothesis);
@@ -29,6 +44,7 @@ std::vector<BlockResiduals> samplesOf(Block block, const BodyCase& given, const 
   std::vector<BlockResiduals> samples(logs.size());
   forEach(logs.size(), [&](std::size_t i) {
     samples[i] = cut(given.joints.logs[logs[i]], robot);
+    if (block == Block::kSupply && has_board_supply) useBoardSupply(given.logs[logs[i] / kJoints], samples[i]);
     for (Eigen::Index k = 0; k < samples[i].z.size(); ++k) {
       const double residual = samples[i].residual[k];
       samples[i].z[k] = std::isnan(residual) ? 0 : residual / samples[i].sigma[k];
@@ -73,11 +89,11 @@ void add(const BlockResiduals& samples, Squares& to) {
 
 }  // namespace
 
-std::vector<BodyRow> jointRows(const BodyCase& given) {
+std::vector<BodyRow> jointRows(const BodyCase& given, bool has_board_supply) {
   const std::vector<std::size_t> logs = fittedJointLogs(given);
   std::vector<BodyRow> rows;
   for (const Block block : kBlocksOfJointAlone) {
-    const std::vector<BlockResiduals> samples = samplesOf(block, given, logs);
+    const std::vector<BlockResiduals> samples = samplesOf(block, given, logs, has_board_supply);
     for (std::size_t joint = 0; joint < kJoints; ++joint) {
       const std::string name{kJointTable[joint].name};
       BodyRow row{.signal = name + (block == Block::kSupply ? ".voltage" : ".load"),

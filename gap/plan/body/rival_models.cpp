@@ -16,7 +16,7 @@ struct Parts {
   FloorSet floor;
 
   [[nodiscard]] FloorModel on(const BodyCase& given) const {
-    FloorModel out{.robot = {.robot = {bodyBaselineOf(given), {}}, .floor = {}}};
+    FloorModel out{.robot = {.robot = declaredRobot(given), .floor = {}}};
     for (const SensorFit& one : sensors) {
       if (one.effects.empty()) continue;
       (one.effects.front()->sensor == ImuSensor::kGyro ? out.imu.gyro : out.imu.accel) = one.deviation;

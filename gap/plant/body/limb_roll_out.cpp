@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/random.hpp"
+#include "gap/plant/body/joint_alone.hpp"
 #include "gap/plant/body/limb_simulation.hpp"
 
 namespace darwinop::gap {
@@ -99,6 +100,12 @@ class LimbRun {
 };
 
 }  // namespace
+
+BodyHypothesis declaredRobot(const BodyCase& given) {
+  return {.servos = bodyBaselineOf(given),
+          .links = {},
+          .has_board_supply = given.joints.model.body.battery_resistance_ohm > 0};
+}
 
 double supplyAt(const BodyLog& log, std::size_t row, const BodyHypothesis& hypothesis) {
   const bool is_measured = hypothesis.has_board_supply && row < log.board_v.size() && !std::isnan(log.board_v[row]);

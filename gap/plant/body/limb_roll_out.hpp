@@ -23,6 +23,9 @@ struct BodyHypothesis {
   bool has_board_supply = false;  // the servos have the measured voltage of the board, not that of a rested battery
 };
 
+/// The model of a case. Where its battery has a resistance, the servos have the measured voltage of the board.
+BodyHypothesis declaredRobot(const BodyCase& given);
+
 /// V, of the servos from this row on.
 double supplyAt(const BodyLog& log, std::size_t row, const BodyHypothesis& hypothesis);
 

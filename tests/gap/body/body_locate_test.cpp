@@ -120,6 +120,19 @@ TEST(BodyLocate, ALimbWithAJointThatNeverAnswersIsNotSimulated) {
   EXPECT_EQ(std::ranges::count_if(table.rows, is_plant), static_cast<std::ptrdiff_t>(kJoints) - 2) << "nor the head";
 }
 
+TEST(BodyLocate, ABatteryWithAResistanceSuppliesWhatTheBoardMeasures) {
+  for (const double resistance_ohm : {0.0, 0.5}) {
+    BodyCase given = BodyTexts{}.read();
+    given.joints.model.body.battery_resistance_ohm = resistance_ohm;
+    for (BodyLog& log : given.logs) log.board_v.assign(log.rows(), log.battery_v - 0.3);
+    for (Trajectory& joint : given.joints.logs)
+      for (double& volt : joint.volt_v) volt -= 0.3;
+    const BodyTable table = localize(given, RestingImu{given.joints.model});
+    EXPECT_EQ(table.open(), resistance_ohm > 0 ? 0 : kJoints) << resistance_ohm;
+    EXPECT_EQ(ClampedRobot{given}.baseline().has_board_supply, resistance_ohm > 0);
+  }
+}
+
 TEST(BodyLocate, WithoutAClampedLogTheSensorIsNotTested) {
   SyntheticRobot robot;
   robot.gyro_bias = {0, 1, 0};
