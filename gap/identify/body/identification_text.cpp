@@ -7,7 +7,9 @@
 #include "gap/identify/body/floor_text.hpp"
 #include "gap/identify/body/held_out_text.hpp"
 #include "gap/identify/body/mechanics_text.hpp"
+#include "gap/plant/block.hpp"
 #include "gap/thresholds.hpp"
+#include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -78,17 +80,21 @@ Object effectJson(const SensorFit& fit, const SensorEffect& effect) {
           {"interval_90", {{effect.parameter, interval}}}};
 }
 
-/// An effect of its control law was found for the load of this joint; or one in its limb, and its position is closed
-/// now.
+/// An effect of this block was found in this joint; or one in its limb, and its position is closed now. No effect of a
+/// limb changes a supply.
 bool isExplained(const MechanicsSelection& selection, const BodyRow& open) {
-  const auto is_of_its_load = [&](const FoundMechanics& one) {
-    return one.is_in_controller &&
+  const auto is_of_block = [&](const FoundMechanics& one) {
+    const bool is_supply =
+        !one.placed.effect->is_of_link && blockOf(twin::findEffect(one.placed.effect->id)->part) == Block::kSupply;
+    return (open.block == Block::kSupply ? is_supply : one.is_in_controller) &&
            std::ranges::any_of(one.placed.joints, [&](Joint joint) { return row(joint).name == open.place.name; });
   };
-  if (open.block == Block::kController && std::ranges::any_of(selection.found, is_of_its_load)) return true;
+  if (open.block != Block::kPlant && std::ranges::any_of(selection.found, is_of_block)) return true;
   const auto now =
       std::ranges::find(selection.rows, open.place.name, [](const BodyRow& one) { return one.place.name; });
-  return !selection.found.empty() && now != selection.rows.end() && !now->open;
+  const bool is_touched =
+      std::ranges::any_of(selection.touched, [&](Joint joint) { return row(joint).name == open.place.name; });
+  return open.block != Block::kSupply && is_touched && now != selection.rows.end() && !now->open;
 }
 
 /// An effect on the floor was found, and this signal is closed now.

@@ -194,6 +194,8 @@ MechanicsSelection identifyMechanics(ClampedRobot& robot, const BodyTable& table
   dropUnexplained(robot, table.open_from, out);
   if (out.found.size() < count) search.renewRows(out, {});
   setOwn(robot.baseline(), out.found);
+  for (const std::size_t limb : limbsOf(robot, effectsOf(out.found)))
+    for (const Link& link : robot.limbs()[limb]) out.touched.push_back(link.joint);
   return out;
 }
 

@@ -19,6 +19,7 @@ struct FoundMechanics {
 struct MechanicsSelection {
   std::vector<FoundMechanics> found;   // in the order in which they were found
   std::vector<BodyRow> rows;           // of the table, with what was found; those that remain are open
+  std::vector<Joint> touched;          // joints of the limbs that a found effect is in
   std::vector<PlacedMechanics> tried;  // earned its place, but a log contradicts it, or it left too much unexplained
 };
 
