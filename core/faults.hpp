@@ -134,7 +134,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
     {Fault::kControllerStalled, Reaction::kHold, false, false, "controller_stalled",
      "the controller has not called step() for 500 ms",
      "the last safe goals are held; motion continues when step() is called", Checked::kAlways, "",
-     "`stall_ms`, not during takeover and start."},
+     "`stall_ms`, not in the start move and the first `take_over_s` of a takeover with servo power."},
     {Fault::kControllerGone, Reaction::kKneel, false, true, "controller_gone",
      "the controller has been silent for 10 s and has not ended its session",
      "the robot sits down slowly and releases torque; start the controller again, and if it needs longer than that "

@@ -14,7 +14,7 @@ class DriverWatch {
   /// `config` must outlive this object and may change; also for all other parts of the guard.
   explicit DriverWatch(const Config& config) : config_{config} {}
 
-  /// Once a cycle. `excused`: safety moves the robot, so the controller may be silent meanwhile.
+  /// Once a cycle. `excused`: safety moves the robot, so silence does not count.
   void update(const Commands& asked, bool excused, Nanos dt) noexcept {
     came_ = asked.session != 0 && asked.session != session_;
     obeyed_ = came_ || (session_ != 0 && asked.session == session_);
@@ -35,7 +35,10 @@ class DriverWatch {
     }
     // A release ends the session permanently; so does the end of a loop that no session ever drove.
     ended_ = ended_ || released_ || (session_ == 0 && asked.end_of_session);
-    silence_ = alive || excused || ended_ || session_ == 0 ? Nanos{0} : silence_ + dt;
+    if (alive || ended_ || session_ == 0)
+      silence_ = Nanos{0};
+    else if (!excused)
+      silence_ += dt;
   }
 
   /// Ends the session: there is nothing to hold.

@@ -59,8 +59,7 @@ SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
 }
 
 void Guard::take(const Commands& asked, Nanos dt) noexcept {
-  const bool moves_by_itself = state_ == State::kTakingOver || state_ == State::kStarting;
-  driver_.update(asked, moves_by_itself, dt);
+  driver_.update(asked, excusesSilence(), dt);
   if (driver_.came()) beginSession(asked);
   if (asked.loop_ends) config_.on_exit = robot_config_.on_exit;
   if (driver_.resetAsked()) clearFaults();

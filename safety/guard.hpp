@@ -38,6 +38,7 @@ class Guard {
   using Shares = std::array<double, kJoints>;
 
   void take(const Commands& asked, Nanos dt) noexcept;
+  [[nodiscard]] bool excusesSilence() const noexcept;
   void watch(const Sensors& seen, Nanos dt) noexcept;
   void watchHold() noexcept;
   void beginSession(const Commands& asked) noexcept;

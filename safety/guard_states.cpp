@@ -108,6 +108,15 @@ bool Guard::takenOver() const noexcept {
   return waited && (some || std::ranges::all_of(joints_, settled));
 }
 
+/// While safety moves the robot by itself. A takeover that takes longer waits for power or servos, without limit: then
+/// only a living controller keeps it waiting, for the robot would otherwise rise hours after its controller died. All
+/// that begin a session publish in every cycle until it drives (webots/session.cpp, window/drive, apps/calibrate), and
+/// `darwinop remote` gives the lease back after 0.5 s without a request.
+bool Guard::excusesSilence() const noexcept {
+  if (state_ == State::kStarting) return true;
+  return state_ == State::kTakingOver && board_.powered() && taking_over_for_ < fromSeconds(config_.take_over_s);
+}
+
 void Guard::changeState(const Sensors& seen, Nanos dt) noexcept {
   runTimers(seen, dt);
   const auto event = findEvent();

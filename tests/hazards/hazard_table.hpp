@@ -284,9 +284,12 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "supervisor_system_test:UnderTorque.AServoThatIgnoresTorqueOffIsNamedByStopAndSupervisor "
      "supervisor_system_test:UnderTorque.ABoardThatIsSilentAtTheEndLeavesAllJointsUnknown",
      "process"},
-    {"H416", "A robot that sits limp rises in somebody's hands", "a controller that hung for gone_s resumes",
+    {"H416", "A robot that sits limp rises in somebody's hands",
+     "a controller that hung for gone_s resumes, or power returns after it died",
      "a session that was given up never drives again", "limp; step() returns -1",
-     "safety_test:Kneel.AControllerThatWasGivenUpDoesNotDriveAgainAndANewSessionDoes", "always"},
+     "safety_test:Kneel.AControllerThatWasGivenUpDoesNotDriveAgainAndANewSessionDoes "
+     "safety_test:GivenUp.AControllerThatDiesWhileItWaitsForPowerRaisesNoRobotWhenItReturns",
+     "always"},
     {"H417", "A limp robot gets torque without a controller", "a session ends while it takes the robot over",
      "without torque nothing is sat down or held", "limp",
      "safety_test:TakeOver.ALimpRobotStaysLimpIfTheSessionEndsBeforeTorqueIsOn "

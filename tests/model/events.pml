@@ -23,7 +23,7 @@ inline choose_who_acts() {
      :: process == RUNNING && FREE -> act = A_COMES; if :: in_place_now = 0 :: in_place_now = 1 fi
      :: process == RUNNING && FREE && automatic -> act = A_RESTARTED; if :: in_place_now = 0 :: in_place_now = 1 fi
      :: process == RUNNING && session && !ended -> if :: act = A_ENDS :: act = A_FAILS fi
-     :: process == RUNNING && session && !ended && silence < 2 && state != ST_taking_over && state != ST_starting ->
+     :: process == RUNNING && session && !ended && silence < 2 && state != ST_starting ->
         act = A_HANGS
      :: process == RUNNING && silence == 1 -> act = A_GOES_ON
 #ifndef FIXED_PROCESSES
