@@ -54,15 +54,19 @@ class LoopFigures {
   /// A session has begun since. A daemon can run while the controller drives another robot.
   [[nodiscard]] bool driven() const { return exchange_.block().session.load() != session_; }
 
-  /// The loop's process ended while joints of a real robot may have had torque, and not because on_exit is to hold.
-  [[nodiscard]] bool leftTorque(bool ended_well) const {
+  /// Joints of a real robot that may have had torque when the loop's process ended, unless on_exit is to hold. At rest
+  /// a servo that is silent since it held its joint.
+  [[nodiscard]] JointSet leftTorque(bool ended_well) const {
     const auto now = std::make_unique<StatsView>();
     exchange_.block().stats.copyTo(*now);
     Sensors last;
     const bool timed = !std::isnan(now->wake.max());  // simulated time has no latencies
-    if (!timed || !exchange_.block().sensors.read(last) || last.safety.state == State::kLimp) return false;
-    if (last.safety.state == State::kOffline && everAnswered(last).none()) return false;
-    return !(ended_well && last.safety.at_end == Reaction::kHold);
+    if (!timed || !exchange_.block().sensors.read(last)) return {};
+    if (ended_well && last.safety.at_end == Reaction::kHold) return {};
+    const JointSet present = everAnswered(last);
+    const State state = last.safety.state;
+    if (state == State::kLimp || state == State::kOffline) return perhapsUnderTorque(last, present);
+    return present.none() ? ~present : present;
   }
 
   /// Its process has died without bringing the robot to rest.
@@ -165,9 +169,10 @@ int runController(const RunRequest& request) {
   auto embedded = observer.path().empty() ? std::nullopt : tryAttach(attach, RuntimeFiles{observer.path()});
   bool unmonitored = false;  // joints may have torque, and no loop is left
   if (embedded) {
-    unmonitored = embedded->leftTorque(ending.isNormal());
+    const JointSet left = embedded->leftTorque(ending.isNormal());
+    unmonitored = left.any();
     if (unmonitored)
-      std::cerr << messages::kNoLoopLeft
+      std::cerr << messages::kNoLoopLeft << namesOf(left)
                 << ". Hold the robot: RESET on its back releases torque; a new `darwinop run` drives it again"
                 << std::endl;
     embedded->fromTheBeginning();

@@ -7,7 +7,8 @@ namespace darwinop::runtime::messages {
 inline constexpr const char* kNoSuchController = "there is no controller ";       // then its path
 inline constexpr const char* kBuiltIn = "; name the one that was built: ";        // then its path
 inline constexpr const char* kNotAProgram = " is not a program that may be run";  // after its path
-inline constexpr const char* kNoLoopLeft = "no loop is left: the joints keep their torque and last goals";
+inline constexpr const char* kNoLoopLeft =
+    "no loop is left: these joints may keep torque and their last goals: ";  // then their names
 
 // daemon.cpp
 inline constexpr const char* kNoMarkers = "a release by a person could not be recorded in ";  // then the files

@@ -282,7 +282,8 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "success only if every servo was seen limp", "exit code, joints named",
      "runtime_test:TorqueLeft.AServoThatWasNotPolledForTwoRoundsIsUnknown "
      "supervisor_system_test:UnderTorque.AServoThatIgnoresTorqueOffIsNamedByStopAndSupervisor "
-     "supervisor_system_test:UnderTorque.ABoardThatIsSilentAtTheEndLeavesAllJointsUnknown",
+     "supervisor_system_test:UnderTorque.ABoardThatIsSilentAtTheEndLeavesAllJointsUnknown "
+     "runtime_process_test:Run.NamesAServoThatIsSilentAtTheEndForItMayBeStiff",
      "process"},
     {"H416", "A robot that sits limp rises in somebody's hands",
      "a controller that hung for gone_s resumes, or power returns after it died",

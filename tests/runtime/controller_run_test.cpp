@@ -66,6 +66,18 @@ TEST(Run, SaysThatNoLoopIsLeftWhenTheControllerThatHadItIsKilledOrSkipsItsEnd) {
   }
 }
 
+TEST(Run, NamesAServoThatIsSilentAtTheEndForItMayBeStiff) {
+  const Outcome outcome = run("unplug Neck");
+  EXPECT_THAT(outcome.warned, HasSubstr(std::string{messages::kNoLoopLeft} + "Neck."));
+  EXPECT_EQ(outcome.status, 1);
+}
+
+TEST(Run, ReportsNoJointAfterARobotWasBroughtToRest) {
+  const Outcome outcome = run("rest");
+  EXPECT_THAT(outcome.warned, testing::Not(HasSubstr(messages::kNoLoopLeft)));
+  EXPECT_EQ(outcome.status, 0);
+}
+
 TEST(Run, HandsOnASignalThatAnotherProcessSends) {
   EXPECT_EQ(run("wait").status, 5);
 }

@@ -12,12 +12,13 @@
 namespace {
 std::atomic<bool>* stop_flag = nullptr;
 
-/// Ends in the middle of driving a robot in real time, by `end`, without bringing it to rest.
-void drive(void (*end)()) {
+/// Drives a robot in real time and calls `end`. If that returns, the robot is brought to rest.
+void drive(void (*end)(darwinop::runtime::FakeRobot&)) {
   using namespace darwinop;
   runtime::LoopConfig config;
   config.period = std::chrono::milliseconds{2};
-  runtime::ThreadedLink link{config, std::make_unique<runtime::FakeBus>()};
+  const auto robot = std::make_shared<runtime::FakeRobot>();
+  runtime::ThreadedLink link{config, std::make_unique<runtime::FakeBus>(robot)};
   const std::atomic<bool> stop{false};
   Commands commands;
   commands.start_where_it_is = true;
@@ -25,7 +26,7 @@ void drive(void (*end)()) {
     link.publish(commands);
     (void)link.waitForCycle(link.sensors().cycle + 1, stop);
   }
-  end();
+  end(*robot);
 }
 }  // namespace
 
@@ -33,8 +34,10 @@ int main(int count, char** arguments) {
   using namespace darwinop::runtime;
   const std::string_view end = count > 1 ? arguments[1] : "";
   if (end == "away") return 3;  // never makes a robot here
-  if (end == "crash") drive([] { std::raise(SIGKILL); });
-  if (end == "leave") drive([] { _exit(0); });
+  if (end == "crash") drive([](FakeRobot&) { std::raise(SIGKILL); });
+  if (end == "leave") drive([](FakeRobot&) { _exit(0); });
+  if (end == "rest") return drive([](FakeRobot&) {}), 0;
+  if (end == "unplug Neck") return drive([](FakeRobot& robot) { robot.dead[index(darwinop::Joint::kNeck)] = true; }), 0;
   SimulatedRobot sim;
   stop_flag = &sim.stop;
   sim.step({}, 20);
