@@ -69,6 +69,8 @@ void Cm730Bus::read(BusReadings& readings) noexcept {
     wire_.bus_ns = (line_.now() - began_).count();
     wire_.wire_ns = wireTime(wire_.bytes_out + wire_.bytes_in).count();
     if (readings.board.answered) board_ = readings.board;
+    forEachJoint(decoder_.polled(),
+                 [&](std::size_t i) { goals_.noteLimit(static_cast<Joint>(i), readings.servo[i].torque_limit); });
     forEachJoint(decoder_.answered(),
                  [&](std::size_t i) { goals_.noteLoad(static_cast<Joint>(i), readings.servo[i].load); });
     learn(list);

@@ -30,10 +30,19 @@ std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) n
   return {};
 }
 
-void GoalWriter::noteLoad(Joint joint, double load) noexcept {
+inline double GoalWriter::strainAt(std::size_t joint, std::uint16_t limit) const noexcept {
   constexpr double kStrain = 0.8;  // of the torque limit
+  return kStrain * stall_.load(static_cast<Joint>(joint), limit);
+}
+
+void GoalWriter::repeatLimit(Joint joint, NewtonMeter found) noexcept {
   Servo& servo = servo_[index(joint)];
-  servo.straining = stall_.loadCounts(joint, load) >= kStrain * servo.least;
+  const std::uint16_t has = stall_.limitRegister(joint, found);
+  if (servo.entering > 0 || servo.torque_due > 0 || servo.repeats == 0 || has == 0) return;
+  --servo.repeats;
+  servo.torque_due = kWrites;
+  sent_[index(joint)] = has;
+  servo.strain = std::min(servo.strain, strainAt(index(joint), has));
 }
 
 void GoalWriter::noteSettings(Joint joint, const SafeCommands::JointGoal& goal) noexcept {
@@ -44,8 +53,12 @@ void GoalWriter::noteSettings(Joint joint, const SafeCommands::JointGoal& goal) 
   const std::uint16_t torque = stall_.limitRegister(joint, goal.torque_limit);
   auto& r = servo.registers;
   if (p_gain != r[0] || speed != wordAt(r, 4)) servo.settings_due = kWrites;
-  if (torque != servo.torque) servo.torque_due = kWrites;
+  if (torque != servo.torque) {
+    servo.torque_due = kWrites;
+    servo.repeats = kRepeats;
+  }
   servo.torque = torque;
+  limit_[index(joint)] = stall_.limit(joint, torque).value;
   r = {p_gain, 0, 0, 0, lowByte(speed), highByte(speed), lowByte(torque), highByte(torque)};
 }
 
@@ -72,7 +85,7 @@ void GoalWriter::noteSent(const Block& block, const SafeCommands::Mask& who) noe
 void GoalWriter::noteLimitSent(std::size_t joint) noexcept {
   Servo& servo = servo_[joint];
   if (servo.torque_due > 0) --servo.torque_due;
-  servo.least = servo.entering > 0 ? servo.torque : std::min(servo.torque, sent_[joint]);
+  servo.strain = strainAt(joint, servo.entering > 0 ? servo.torque : std::min(servo.torque, sent_[joint]));
   sent_[joint] = servo.torque;
 }
 

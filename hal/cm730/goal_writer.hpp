@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -21,9 +22,10 @@ namespace darwinop::cm730 {
 /// settings count as unknown again.
 ///
 /// Writing the torque limit clears a servo's automatic shutdown, and a goal write then switches its torque on again. So
-/// limits are written when a joint is taken over, and later only when they change. A servo shuts itself off after
-/// working at its torque limit for some time: while one does, limits are sent without goals, at most every kTorqueEvery
-/// cycles, and polled in the same cycle, in which the torque of a servo that has shut itself off is still off.
+/// limits are written when a joint is taken over, and later only when they change or a poll finds that one was lost. A
+/// servo shuts itself off after working at its torque limit for some time: while one does, limits are sent without
+/// goals, at most every kTorqueEvery cycles, and polled in the same cycle, in which the torque of a servo that has shut
+/// itself off is still off.
 class GoalWriter {
  public:
   explicit GoalWriter(const JointOffsets& offsets = {}, const StallTorques& stall = {})
@@ -35,7 +37,17 @@ class GoalWriter {
   std::span<const std::uint8_t> encode(const SafeCommands& commands) noexcept;
 
   /// Load that a servo reported, as a fraction of an MX-28's maximum torque.
-  void noteLoad(Joint joint, double load) noexcept;
+  void noteLoad(Joint joint, double load) noexcept {
+    Servo& servo = servo_[index(joint)];
+    servo.straining = std::abs(load) >= servo.strain;
+  }
+  /// Torque limit that a poll found in a servo after the cycle's write. One that differs from the limit sent was lost,
+  /// and is sent again. 0: the servo has shut itself off, which a limit would undo.
+  void noteLimit(Joint joint, NewtonMeter found) noexcept {
+    constexpr double kRounding = 1e-6;  // N m; a count is 2.4e-3 and more
+    if (std::abs(found.value - limit_[index(joint)]) > kRounding) return repeatLimit(joint, found);
+    servo_[index(joint)].repeats = kRepeats;
+  }
 
   /// Locks the EEPROM of those servos until power-off: with an 8-bit checksum one damaged frame in 256 is accepted, and
   /// it must not change an id, a baud rate or an angle limit permanently.
@@ -61,6 +73,9 @@ class GoalWriter {
  private:
   /// Settings are sent twice in a row: a lost frame must not leave a servo without them.
   static constexpr int kWrites = 2;
+  /// Times that a lost limit is sent again: one that a servo does not store must not be written for ever, as each write
+  /// would undo a shutdown.
+  static constexpr std::uint8_t kRepeats = 3;
   /// Cycles; longer than an overload bit is ignored after torque on: TripWatch::kGrace at a period of 8 ms.
   static constexpr std::uint32_t kSettled = 48;
   /// Servos that can always be polled in one cycle: minimum of BusConfig::polls().
@@ -92,30 +107,32 @@ class GoalWriter {
   /// Values written to a servo since its joint was taken over.
   struct Servo {
     Settings settings;                                 // source of the registers below
-    std::uint16_t torque = 0;                          // limit
-    std::uint16_t least = 0;                           // the smaller of the last two limits sent
+    double strain = 0;                                 // load close to the smaller of the last two limits
     std::array<std::uint8_t, kAll.bytes> registers{};  // registers of kAll; the goal is filled in at encoding
-    int settings_due = kWrites;                        // remaining writes of P gain and speed
-    int torque_due = kWrites;                          // remaining writes of the torque limit
+    std::uint16_t torque = 0;                          // limit
+    std::uint8_t settings_due = kWrites;               // remaining writes of P gain and speed
+    std::uint8_t torque_due = kWrites;                 // remaining writes of the torque limit
     std::uint8_t entering = kWrites;                   // remaining complete writes
+    std::uint8_t repeats = kRepeats;                   // of this limit, until a poll finds it
     bool straining = false;                            // works close to its torque limit
   };
 
   /// Union of what the servos of a frame need.
   struct Due {
-    std::uint8_t all = 0;
+    std::uint8_t all = 0, settings = 0, torque = 0;
     bool straining = false;
-    int settings = 0, torque = 0;
     void add(const Servo& servo) noexcept {
       all = static_cast<std::uint8_t>(all | servo.entering);
+      settings = static_cast<std::uint8_t>(settings | servo.settings_due);
+      torque = static_cast<std::uint8_t>(torque | servo.torque_due);
       straining |= servo.straining;
-      settings |= servo.settings_due;
-      torque |= servo.torque_due;
     }
   };
 
   void noteSettings(Joint joint, const SafeCommands::JointGoal& goal) noexcept;
   void noteLimitSent(std::size_t joint) noexcept;
+  [[gnu::cold, gnu::noinline]] void repeatLimit(Joint joint, NewtonMeter found) noexcept;
+  [[nodiscard]] double strainAt(std::size_t joint, std::uint16_t limit) const noexcept;
   void noteSent(const Block& block, const SafeCommands::Mask& who) noexcept;
   [[nodiscard]] const Block& choose(const Due& due) const noexcept;
   std::span<const std::uint8_t> encodeGoals(const SafeCommands& commands) noexcept;
@@ -137,6 +154,7 @@ class GoalWriter {
   SafeCommands::Mask limits_alone_, had_their_turn_;
   std::uint32_t frames_ = 0;
   std::array<std::uint16_t, kJoints> sent_{};             // torque limit
+  std::array<double, kJoints> limit_{};                   // the newest one as it is read, N m
   std::array<std::uint32_t, kJoints> entered_{};          // number of the frame
   int since_settings_ = 0, since_torque_ = kTorqueEvery;  // cycles
   // Varied, so that a servo that trips periodically does not synchronise with the writes that hide it.

@@ -53,6 +53,7 @@ void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t fir
   position_ = 0;
   last_ = Taken::kNothing;
   answered_.reset();
+  polled_.reset();
 }
 
 std::size_t ReplyDecoder::answerBytes() const noexcept {
@@ -74,7 +75,7 @@ void ReplyDecoder::withdraw() noexcept {
   if (last_ == Taken::kServo) {
     const std::uint8_t joint = list_[position_ - 1].joint;
     if (!board_ && position_ == 1) first_answered_ = readings_->servos_answered = false;
-    answered_[joint] = false;
+    answered_[joint] = polled_[joint] = false;
     readings_->servo[joint].answered = readings_->servo[joint].polled = false;
   }
   last_ = Taken::kNothing;
@@ -154,9 +155,9 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   if (entry.poll) takePoll(joint, frame.params, out);
 }
 
-void ReplyDecoder::takePoll(Joint joint, Bytes block, ServoReading& out) const noexcept {
+void ReplyDecoder::takePoll(Joint joint, Bytes block, ServoReading& out) noexcept {
   constexpr std::uint8_t kFirst = kServoPoll.address;
-  out.polled = true;
+  out.polled = polled_[index(joint)] = true;
   out.torque_enabled = raw<kFirst, kTorqueEnable>(block) != 0;
   out.speed_limit = RadPerSec{si<kFirst, kMovingSpeed>(block)};
   out.goal = offsets_.jointAngle(joint, raw<kFirst, kGoal>(block));

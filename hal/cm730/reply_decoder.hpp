@@ -51,6 +51,7 @@ class ReplyDecoder {
   /// The board has answered; without a board the first servo of the list.
   [[nodiscard]] bool firstAnswered() const noexcept { return first_answered_; }
   [[nodiscard]] const ReadList::Mask& answered() const noexcept { return answered_; }
+  [[nodiscard]] const ReadList::Mask& polled() const noexcept { return polled_; }
   [[nodiscard]] std::uint32_t lateReplies() const noexcept { return late_; }
 
  private:
@@ -59,7 +60,7 @@ class ReplyDecoder {
   void takeBoard(const Frame& frame) noexcept;
   void takeServo(const Frame& frame) noexcept;
   [[gnu::cold, gnu::noinline]] void takeFirst(const Frame& frame) noexcept;
-  void takePoll(Joint joint, Bytes block, ServoReading& out) const noexcept;
+  void takePoll(Joint joint, Bytes block, ServoReading& out) noexcept;
 
   JointOffsets offsets_;
   StallTorques stall_;
@@ -71,7 +72,7 @@ class ReplyDecoder {
   bool first_answered_ = false;
   std::size_t position_ = 0;  // entries before it have replied or were skipped
   enum class Taken : std::uint8_t { kNothing, kBoard, kServo } last_ = Taken::kNothing;
-  ReadList::Mask answered_;
+  ReadList::Mask answered_, polled_;
   std::uint32_t late_ = 0;
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "core/conversions.hpp"
@@ -15,14 +14,8 @@ namespace darwinop::cm730 {
 /// means the same torque at every joint.
 class StallTorques {
  public:
-  constexpr StallTorques() {
-    ratio_.fill(1);
-    counts_.fill(kTorqueMax);
-  }
-  void set(Joint joint, NewtonMeter stall) noexcept {
-    ratio_[index(joint)] = stall.value / kMaxTorqueNm;
-    counts_[index(joint)] = kTorqueMax / ratio_[index(joint)];
-  }
+  constexpr StallTorques() { ratio_.fill(1); }
+  void set(Joint joint, NewtonMeter stall) noexcept { ratio_[index(joint)] = stall.value / kMaxTorqueNm; }
 
   /// Register 34 for a torque limit. Never 0 for a stronger servo, as that is what a servo shows that has shut itself
   /// off.
@@ -37,14 +30,9 @@ class StallTorques {
   [[nodiscard]] double load(Joint joint, std::uint16_t raw) const noexcept {
     return loadFromRegister(raw) * ratio_[index(joint)];
   }
-  /// Counts of the servo's load register, without its sign, for a load as of load().
-  [[nodiscard]] double loadCounts(Joint joint, double load) const noexcept {
-    return std::abs(load) * counts_[index(joint)];
-  }
 
  private:
-  std::array<double, kJoints> ratio_{};   // to the MX-28's stall torque
-  std::array<double, kJoints> counts_{};  // of a load of 1
+  std::array<double, kJoints> ratio_{};  // to the MX-28's stall torque
 };
 
 }  // namespace darwinop::cm730

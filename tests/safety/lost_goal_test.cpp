@@ -1,4 +1,5 @@
-// Takeovers whose writes are lost on the wire. Judged at the servo: its torque comes on only with the goal where it is.
+// Writes that are lost on the wire, judged at the servo: in a takeover its torque comes on only with the goal where it
+// is, and a torque limit arrives.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,6 +132,19 @@ TEST(LostGoals, WhicheverOfTheFirstWritesAreLostTorqueComesOnWhereTheJointIs) {
           << lost;
     }
   }
+}
+
+TEST(LostLimits, AreSentAgainWithinTwoPollingRounds) {
+  constexpr NewtonMeter kLimit{0.3};
+  LimpArm arm;
+  arm.ask(kIsAt, true);
+  arm.run(150);
+  arm.commands.joint[index(kArm)].setTorqueLimit(kLimit);
+  arm.line.writes_to_lose = 3;
+  arm.run(2);
+  ASSERT_EQ(arm.servo().torque_limit, kTorqueMax) << "both are lost";
+  arm.run(2 * kPollRound);
+  EXPECT_EQ(arm.servo().torque_limit, registerFromTorque(kLimit));
 }
 
 TEST(LostGoals, InALoopOfEightMillisecondsAllJointsAreTakenOverFourAtATime) {
