@@ -140,8 +140,8 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "the robot sits down slowly and releases torque; start the controller again, and if it needs longer than that "
      "between two steps, raise `gone_s` in config.ini",
      Checked::kAlways, "at the next start",
-     "`gone_s`. A controller that resumes later does not drive again; its `step()` returns -1. After a regular end "
-     "`on_exit` applies."},
+     "`gone_s`. A controller that resumes later neither drives nor switches torque; its `step()` returns -1. After a "
+     "regular end `on_exit` applies."},
 });
 
 inline constexpr FaultRow kNoFault{Fault::kNone, Reaction::kReport, false, false, "none", "all is well",

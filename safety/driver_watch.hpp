@@ -17,17 +17,18 @@ class DriverWatch {
   /// Once a cycle. `excused`: safety moves the robot, so silence does not count.
   void update(const Commands& asked, bool excused, Nanos dt) noexcept {
     came_ = asked.session != 0 && asked.session != session_;
-    obeyed_ = came_ || (session_ != 0 && asked.session == session_);
-    // Heartbeat: only an increased sequence number counts, because the last image of a dead controller remains. A
-    // session that was given up stays so: a controller that resumes must not raise a robot that sits limp, perhaps in
-    // somebody's hands.
-    const bool alive = came_ || (obeyed_ && !ended_ && asked.sequence > sequence_ && !gone());
-    const bool by_driver = came_ || (obeyed_ && asked.fault_resets != resets_);
+    const bool same = session_ != 0 && asked.session == session_;
+    // A session that was given up or has ended stays so: a controller that resumes must not raise a robot that sits
+    // limp, perhaps in somebody's hands, nor switch torque in the kneel. The image that ends it still counts.
+    obeyed_ = came_ || (same && !ended_ && !gone());
+    // Heartbeat: only an increased sequence number counts, because the last image of a dead controller remains.
+    const bool alive = came_ || (obeyed_ && asked.sequence > sequence_);
+    const bool by_driver = came_ || (same && asked.fault_resets != resets_);
     reset_asked_ = (by_driver && !asked.unattended) || asked.operator_resets != operator_resets_;
     released_ = asked.operator_releases != operator_releases_;
     operator_resets_ = asked.operator_resets;
     operator_releases_ = asked.operator_releases;
-    if (obeyed_) {
+    if (came_ || same) {
       session_ = asked.session;
       sequence_ = came_ ? asked.sequence : std::max(sequence_, asked.sequence);
       resets_ = asked.fault_resets;
@@ -46,7 +47,7 @@ class DriverWatch {
 
   /// True in the cycle in which a new session is first seen.
   [[nodiscard]] bool came() const noexcept { return came_; }
-  /// True if this cycle's image belongs to the session that drives.
+  /// True if this cycle's image is of the session that drives, or ends it.
   [[nodiscard]] bool obeyed() const noexcept { return obeyed_; }
   /// A fault reset is requested. A new session started by a person counts as a request: a person has checked the robot.
   [[nodiscard]] bool resetAsked() const noexcept { return reset_asked_; }

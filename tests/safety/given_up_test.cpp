@@ -1,4 +1,4 @@
-// Controllers that die while they wait for a takeover.
+// Controllers that die while they wait for a takeover, and what one sends after it was given up or has ended.
 #include <gtest/gtest.h>
 
 #include "safety/rig.hpp"
@@ -82,6 +82,64 @@ TEST(GivenUp, ALivingControllerWaitsForPowerAsLongAsItLikes) {
   EXPECT_EQ(rig.state(), State::kTakingOver);
   rig.robot.power_obeys = true;
   EXPECT_TRUE(rig.reach(State::kDriven));
+}
+
+/// Stands on bent knees with a limp head, and kneels because of its controller.
+struct Kneeling : testing::TestWithParam<bool> {
+  Rig rig;
+
+  Kneeling() {
+    rig.start();
+    rig.joint(Joint::kLegLowerR).setGoal(Rad{1.8});
+    rig.joint(Joint::kHead).setTorque(false);
+    rig.runFor(2);
+    rig.steps = hasEnded();
+    rig.commands.end_of_session = hasEnded();
+    EXPECT_TRUE(rig.reach(State::kKneeling));
+    rig.run(3);
+  }
+  [[nodiscard]] static bool hasEnded() { return GetParam(); }
+
+  /// The same session goes on sending.
+  void resume() {
+    rig.steps = true;
+    rig.commands.end_of_session = false;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(GivenUpOrEnded, Kneeling, ::testing::Bool());
+
+TEST_P(Kneeling, IgnoresTorqueSwitchesOfItsSession) {
+  resume();
+  rig.joint(Joint::kLegLowerR).setTorque(false);
+  rig.joint(Joint::kHead).setTorque(true);
+  while (rig.state() == State::kKneeling) {
+    ASSERT_TRUE(rig.driven(Joint::kLegLowerR));
+    ASSERT_FALSE(rig.driven(Joint::kHead));
+    rig.cycle();
+    ASSERT_TRUE(rig.state() == State::kLimp || rig.safe->torqueOff().none());
+  }
+  EXPECT_EQ(rig.state(), State::kLimp);
+}
+
+TEST_P(Kneeling, IgnoresAStopOfItsSession) {
+  resume();
+  rig.commands.hold = true;
+  EXPECT_TRUE(rig.reach(State::kLimp));
+}
+
+TEST_P(Kneeling, IsInterruptedByANewSession) {
+  resume();
+  rig.newSession();
+  EXPECT_TRUE(rig.reach(State::kDriven));
+}
+
+TEST(GivenUp, TheImageThatEndsASessionStillSwitchesTorque) {
+  Rig rig;
+  rig.start();
+  rig.joint(Joint::kHead).setTorque(false);
+  rig.commands.end_of_session = true;
+  rig.cycle();
+  EXPECT_TRUE(rig.safe->torqueOff()[index(Joint::kHead)]);
 }
 
 TEST(GivenUp, AControllerMayBeSilentDuringTakeoverAndStart) {

@@ -74,13 +74,16 @@ void disturb(FakeRobot& robot, Rng& rng) {
   for (std::size_t i = 0; i < kJoints; ++i) robot.given_up[i] = !robot.servo[i].answers && rng.one(2);
 }
 
-/// Joints whose torque the controller has switched off, as a reader of the images would keep it.
+/// Joints whose torque the controller has switched off until it ended its session, as a reader of the images would keep
+/// it.
 class TorqueRequests {
  public:
   void take(const Commands& c) {
     if (c.session == 0) return;
-    if (c.session != session_) off_.reset();
+    if (c.session != session_) *this = {};
     session_ = c.session;
+    if (ended_) return;
+    ended_ = c.end_of_session;
     for (std::size_t i = 0; i < kJoints; ++i)
       if (c.joint[i].has(JointCommand::kTorque)) off_[i] = !c.joint[i].torque_on;
   }
@@ -88,6 +91,7 @@ class TorqueRequests {
 
  private:
   std::uint32_t session_ = 0;
+  bool ended_ = false;
   std::bitset<kJoints> off_;
 };
 
