@@ -128,7 +128,7 @@ void DefaultController::restart(Nanos now) {
   become(State::kWaiting, "restarting");
 }
 
-/// A person gave the command, so releases are cleared as well. Without a runtime there is nothing to clear.
+/// Releases are cleared as well. What an earlier loop has recorded of them is a matter of the supervisor.
 void DefaultController::resetFaults() {
   latched_at_.reset();
   try {

@@ -33,6 +33,8 @@ class DefaultController {
   void stop(Nanos now);
   /// Ends it if it runs, and starts again from the start pose.
   void restart(Nanos now);
+  /// For a person. Without a loop it resets nothing: call again when one runs.
+  void resetFaults();
   /// Call before the first update: only restart() starts it, if there is one.
   void stayEnded(const std::string& why) {
     if (!folder().empty()) become(State::kOver, why);
@@ -65,7 +67,6 @@ class DefaultController {
   void begin(Nanos now);
   bool chooseAccount(process::Start& start);
   void onEnd(const process::Ending& ending, Nanos now);
-  void resetFaults();
   void end(Nanos now);
   void whileEnding(bool loop_turns, Nanos now);
   void endSession();

@@ -121,14 +121,14 @@ void Supervisor::take(const Orders& orders) {
   if (orders.stop && !stop_asked_) {
     stop_asked_ = true;
     stays_ended_ = controller_.staysEnded();
-    restart_asked_ = false;
+    restart_asked_ = reset_asked_ = false;
     controller_.stop(now_);
     stop_rescue_at_ = now_ + kTimeToReachRobot;
     if (next(phase_, PhaseEvent::kStopAsked) != phase_) onEvent(PhaseEvent::kStopAsked, "stopping");
   }
   if (stop_asked_) return;
   if (orders.stop_controller) {
-    restart_asked_ = false;  // of a rescue: the later command counts
+    restart_asked_ = reset_asked_ = false;  // the later command counts
     controller_.stop(now_);
   }
   if (!orders.restart_controller) return;
@@ -137,6 +137,7 @@ void Supervisor::take(const Orders& orders) {
     return;
   }
   controller_.restart(now_);
+  reset_asked_ = phase_ == SupervisorPhase::kStarting;  // the runtime may have read what an earlier one recorded
   if (phase_ != SupervisorPhase::kDown && phase_ != SupervisorPhase::kBackOff) return;
   runtime::RobotNotes::forget(files_);  // given by a person
   startRuntime();

@@ -81,6 +81,7 @@ class Supervisor {
   Nanos kill_at_{0};         // time of SIGKILL for the runtime
   Nanos stop_rescue_at_{0};  // after a stop command in a rescue that has not reached the robot
   bool stop_asked_ = false, restart_asked_ = false;
+  bool reset_asked_ = false;   // a restart was asked before the loop's first cycle
   bool stays_ended_ = false;   // the controller was not to run when the stop command came
   bool failed_ = false;        // joints may be under torque
   runtime::JointSet present_;  // servos that answered the runtime which the rescue follows

@@ -61,6 +61,7 @@ void Supervisor::updateRuntime() {
     if (phase_ == SupervisorPhase::kStarting) {
       controller_.startsFrom(safety::startPose(runtime_->safety()));
       onEvent(PhaseEvent::kFirstCycle, messages::kRuntimeReady);
+      if (std::exchange(reset_asked_, false)) controller_.resetFaults();
     }
     start_wait_ = kFirstWait;
     controller_.update(runtime_->sensors(), now_);

@@ -1,6 +1,8 @@
 // A default controller that was stopped, or whose supervisor died: what starts it again.
 #include <gmock/gmock.h>
 
+#include "runtime/marker_file.hpp"
+#include "safety/fault_book.hpp"
 #include "supervisor/home.hpp"
 #include "supervisor/messages.hpp"
 
@@ -40,6 +42,31 @@ TEST_F(Home, AControllerThatWasStoppedStaysSoWithTheNextSupervisor) {
   ASSERT_TRUE(says(messages::kStaysEnded)) << supervisor_->output();
   ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
   EXPECT_FALSE(within(seconds{6}, [&] { return status().controller_pid != 0; })) << supervisor_->output();
+}
+
+/// A person released the robot, restarted its supervisor while the board was off, and gives the command before it is
+/// on.
+TEST_F(Home, ARestartBeforeTheRobotIsSwitchedOnResetsARecordedRelease) {
+  runtime::MarkerFile{runtime::RuntimeFiles{}.released}.set(true);
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(within(seconds{10}, [&] { return status().runtime_pid != 0; })) << supervisor_->output();
+  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
+  startVirtualRobot();
+  EXPECT_TRUE(controllerSays("stands")) << supervisor_->output();
+}
+
+TEST_F(Home, AStopOfTheControllerLeavesARecordedReleaseForTheNextRestart) {
+  runtime::MarkerFile{runtime::RuntimeFiles{}.released}.set(true);
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(within(seconds{10}, [&] { return status().runtime_pid != 0; })) << supervisor_->output();
+  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
+  EXPECT_EQ(ask("--stop-controller"), 0) << said_;
+  startVirtualRobot();
+  ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
+  std::this_thread::sleep_for(seconds{1});
+  EXPECT_TRUE(sensors().safety.active[safety::rowIndex(Fault::kReleasedByOperator)]);
 }
 
 TEST_F(Home, ARestartFailsWhileTheSupervisorStops) {
