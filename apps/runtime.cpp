@@ -133,7 +133,7 @@ int main(int count, char** arguments) try {
       app.add_flag("--status", given.status, "print state, faults, battery, driver and loop statistics"),
       app.add_flag("--check-pose", given.check_pose,
                    "check the start pose; exit code 3 and the deviations if it is wrong"),
-      app.add_flag("--reset-faults", given.reset_faults, "reset latched faults"),
+      app.add_flag("--reset-faults", given.reset_faults, "reset latched faults; fails if the cause of one persists"),
       app.add_flag("--release", given.release, "switch torque off on every joint at once: hold the robot")};
   app.set_version_flag("--version", DARWINOP_VERSION);
   for (CLI::Option* one : ask)

@@ -44,6 +44,10 @@ inline constexpr const char* kRemoveMarker = ". Remove it: sudo rm -r ";  // the
 
 // operator.cpp
 inline constexpr const char* kRuntimeHasEnded = ") has ended; start it again with: darwinop runtime";  // after the pid
+inline constexpr const char* kLoopHangs =                                                              // after the pid
+    ") has not run a cycle for 3 s, so nothing is known of the robot; restart it";
+inline constexpr const char* kCausesPersist =
+    "faults whose cause persists stay latched; remove it, then reset them again:";  // then the faults, a line each
 inline constexpr const char* kNotReleased =
     ") has not released the robot within 3 s: hold it and press RESET on its back";  // after the pid
 inline constexpr const char* kReleasedInSilence =

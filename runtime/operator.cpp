@@ -17,6 +17,10 @@
 namespace darwinop::runtime {
 
 namespace {
+
+constexpr Nanos kPatience{3'000'000'000};  // longer than the longest period
+constexpr Nanos kCheckInterval{5'000'000};
+
 Exchange attachAs(Exchange::Access access, const RuntimeFiles& files) {
   Exchange exchange = Exchange::attach(files.exchange, access);
   if (FileLock::holder(files.loop_lock) == 0)
@@ -29,6 +33,22 @@ Exchange attachAs(Exchange::Access access, const RuntimeFiles& files) {
 template <std::size_t N>
 std::string shown(const char (&text)[N]) {
   return text::printable({text, strnlen(text, N)});
+}
+
+/// Image of a cycle that ends at least so many cycles after number `before`. Throws std::runtime_error if none does for
+/// longer than the longest period: the loop hangs.
+Sensors imageAfter(const Exchange& exchange, std::uint32_t before, std::uint32_t cycles) {
+  const WakeWord& finished = exchange.block().finished;
+  const MonotonicClock clock;
+  const Nanos end = clock.now() + kPatience;
+  while (finished.value() - before < cycles) {
+    if (clock.now() > end)
+      throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) + messages::kLoopHangs);
+    std::this_thread::sleep_for(kCheckInterval);
+  }
+  Sensors seen;
+  (void)exchange.block().sensors.read(seen);
+  return seen;
 }
 }  // namespace
 
@@ -58,12 +78,26 @@ std::string daemonStatus(const RuntimeFiles& files) {
   return text + reportText(*stats, last);
 }
 
-void resetFaults(const RuntimeFiles& files) {
+void requestFaultReset(const RuntimeFiles& files) {
   attachToDaemon(files).commands().fault_reset.ask();
 }
 
+void resetFaults(const RuntimeFiles& files) {
+  const Exchange exchange = attachToDaemon(files);
+  const std::uint32_t before = exchange.block().finished.value();
+  exchange.commands().fault_reset.ask();
+  // The cycle that runs meanwhile may have read the requests already; the next one has not.
+  const Sensors seen = imageAfter(exchange, before, 2);
+  std::string remain;
+  safety::forEachFault(seen.safety.active & safety::kLatchedFaults, [&](std::size_t i) {
+    const FaultRow& fault = kFaultTable[i];
+    remain += "\n  fault " + std::to_string(static_cast<int>(fault.fault)) + " " + std::string{fault.name} + ": " +
+              std::string{fault.meaning} + "; " + std::string{fault.remedy};
+  });
+  if (!remain.empty()) throw std::runtime_error(messages::kCausesPersist + remain);
+}
+
 void releaseRobot(const RuntimeFiles& files) {
-  constexpr Nanos kPatience{3'000'000'000}, kCheckInterval{5'000'000};  // longer than the longest period
   const Exchange exchange = attachToDaemon(files);
   const MonotonicClock clock;
   const Nanos end = clock.now() + kPatience;
@@ -81,21 +115,8 @@ void releaseRobot(const RuntimeFiles& files) {
 }
 
 safety::StartPoseCheck startPoseNow(const RuntimeFiles& files) {
-  // Longer than the longest period: an image that does not change means that the loop hangs.
-  constexpr Nanos kPatience{3'000'000'000}, kCheckInterval{5'000'000};
   const Exchange exchange = observeDaemon(files);
-  const WakeWord& finished = exchange.block().finished;
-  const std::uint32_t before = finished.value();
-  const MonotonicClock clock;
-  const Nanos end = clock.now() + kPatience;
-  while (finished.value() == before) {
-    if (clock.now() > end)
-      throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
-                               ") has not run a cycle for 3 s, so nothing is known of the robot; restart it");
-    std::this_thread::sleep_for(kCheckInterval);
-  }
-  Sensors seen;
-  (void)exchange.block().sensors.read(seen);
+  const Sensors seen = imageAfter(exchange, exchange.block().finished.value(), 1);
   const LoopInfo& info = exchange.block().info;
   return safety::checkStartPose(seen, safety::startPose(safety::fromSession(info.safety, info.safety_named)));
 }

@@ -17,8 +17,11 @@ Exchange observeDaemon(const RuntimeFiles& files);
 /// Text for the user: state, faults with remedies, battery, driving controller, loop statistics.
 std::string daemonStatus(const RuntimeFiles& files);
 
-/// Clears latched faults; servos that shut themselves off may be driven again.
+/// Clears latched faults; servos that shut themselves off may be driven again. Throws std::runtime_error with remedies
+/// if faults remain because their causes do, or if the loop hangs.
 void resetFaults(const RuntimeFiles& files);
+/// The same without waiting for the loop.
+void requestFaultReset(const RuntimeFiles& files);
 
 /// Switches torque off on every joint at once, in any session; the robot may drop. The controller is requested to end.
 /// Torque stays off until a person resets the fault or starts a controller. Throws std::runtime_error if the loop hangs

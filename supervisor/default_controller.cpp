@@ -132,7 +132,7 @@ void DefaultController::restart(Nanos now) {
 void DefaultController::resetFaults() {
   latched_at_.reset();
   try {
-    runtime::resetFaults(files_);
+    runtime::requestFaultReset(files_);
   } catch (const std::runtime_error&) {
     return;
   }

@@ -28,6 +28,7 @@ namespace darwinop::runtime {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
@@ -40,6 +41,7 @@ constexpr int kLostAtRest = 3, kLeftStiff = 4;
 
 struct Cables {
   bool power, unplugged;
+  double volt = 11.8;
 };
 
 /// A daemon with a fake robot, 4 ms, in a child process.
@@ -52,6 +54,7 @@ class DaemonTest : public testing::Test {
     const auto robot = std::make_shared<FakeRobot>();
     robot->power = cables.power;
     robot->unplugged = cables.unplugged;
+    robot->volt = cables.volt;
     daemon = std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(),
                                       std::make_unique<FakeBus>(robot));
     std::signal(SIGTERM, [](int) { end_requested = true; });
@@ -261,6 +264,36 @@ TEST_F(DaemonTest, ARobotWhoseCableIsOutIsNotReportedAsReleased) {
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), messages::kReleasedInSilence);
   }
+}
+
+std::string errorOf(void (*request)(const RuntimeFiles&), const RuntimeFiles& files) {
+  try {
+    request(files);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST_F(DaemonTest, AResetReportsAFaultWhoseCausePersistsAndClearsTheOthers) {
+  child_.kill(SIGKILL);
+  std::unique_ptr<Daemon> daemon;
+  const Child again{[&] { serve(files_, daemon, {.power = true, .unplugged = false, .volt = 9.5}); }};
+  releaseRobot(files_);
+  for (int i = 0; i < 500 && daemonStatus(files_).find("battery_empty:") == std::string::npos; ++i)
+    std::this_thread::sleep_for(10ms);
+  const FaultRow& empty = row(Fault::kBatteryEmpty);
+  EXPECT_THAT(errorOf(resetFaults, files_),
+              AllOf(StartsWith(messages::kCausesPersist), HasSubstr(std::string{empty.meaning}),
+                    HasSubstr(std::string{empty.remedy}), Not(HasSubstr("released_by_operator"))));
+  EXPECT_EQ(errorOf(requestFaultReset, files_), "") << "it does not wait";
+}
+
+TEST_F(DaemonTest, AResetFailsWhileTheLoopHangs) {
+  releaseRobot(files_);
+  kill(child_.pid(), SIGSTOP);
+  EXPECT_THAT(errorOf(resetFaults, files_), HasSubstr(messages::kLoopHangs));
+  kill(child_.pid(), SIGCONT);
 }
 
 TEST_F(DaemonTest, AFifoInThePlaceOfItsRecordMeansAReleaseUntilAPersonActs) {

@@ -15,6 +15,7 @@ struct FakeRobot {
   std::array<bool, kJoints> dead{};
   bool power = true;  // of the servos
   bool unplugged = false;
+  double volt = 11.8;
   std::uint32_t writes = 0, reads = 0;
   std::int64_t bus_ns = 5'400'000, wire_ns = 5'340'000;
 
@@ -45,7 +46,7 @@ class FakeBus final : public ServoBus {
     if (robot_->unplugged) return;
     readings.board.answered = true;
     readings.board.servo_power = robot_->power;
-    readings.board.voltage = Volt{11.8};
+    readings.board.voltage = Volt{robot_->volt};
     readings.board.accelerometer = {MeterPerSec2{0}, MeterPerSec2{0}, MeterPerSec2{9.8}};
     for (std::size_t i = 0; i < kJoints; ++i) answer(i, readings.servo[i]);
     readings.link.exchanges = ++robot_->reads;
@@ -64,7 +65,7 @@ class FakeBus final : public ServoBus {
     servo.speed_limit = RadPerSec{1};
     servo.torque_enabled = robot_->torque[i];
     servo.torque_limit = NewtonMeter{2.5};
-    servo.voltage = Volt{11.8};
+    servo.voltage = Volt{robot_->volt};
     servo.temperature = Celsius{35};
   }
 
