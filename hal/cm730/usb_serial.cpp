@@ -35,7 +35,11 @@ std::optional<UsbIdentity> usbIdentity(const std::string& path, const std::strin
   for (const char* up : {"../../", "../"}) {
     const std::string folder = deviceFolder(path, sys_tty) + up;
     const std::string vendor = firstWord(folder + "idVendor");
-    if (!vendor.empty()) return UsbIdentity{vendor, firstWord(folder + "idProduct"), firstWord(folder + "serial")};
+    if (vendor.empty()) continue;
+    UsbIdentity found{vendor, firstWord(folder + "idProduct"), firstWord(folder + "serial")};
+    std::error_code error;
+    if (found.serial.empty()) found.socket = std::filesystem::canonical(folder, error).filename().string();
+    return found;
   }
   return std::nullopt;
 }
@@ -43,11 +47,10 @@ std::optional<UsbIdentity> usbIdentity(const std::string& path, const std::strin
 std::vector<std::string> siblings(const std::string& path, const std::optional<UsbIdentity>& was,
                                   const std::string& sys_tty) {
   std::vector<std::string> found;
-  for (int i = 0; i < kMostPorts; ++i) {
+  for (int i = 0; was && i < kMostPorts; ++i) {
     const std::string other = "/dev/ttyUSB" + std::to_string(i);
     if (other == path) continue;
-    const auto identity = usbIdentity(other, sys_tty);
-    if (identity && (was ? *identity == *was : identity->ftdi())) found.push_back(other);
+    if (usbIdentity(other, sys_tty) == was) found.push_back(other);
   }
   return found;
 }

@@ -12,16 +12,17 @@ inline const std::string kSysTty = "/sys/class/tty";
 /// "/dev/ttyUSB0", or a link to it, becomes "ttyUSB0".
 std::string ttyName(const std::string& path);
 
-/// Vendor, product and serial number as in sysfs; empty if missing.
+/// Vendor, product and serial number as in sysfs; empty if missing. All adapters of a product without serial numbers
+/// are alike, and one may belong to another robot: such a one is identified by its USB socket.
 struct UsbIdentity {
   std::string vendor, product, serial;
+  std::string socket{};  // "1-1.2": bus and ports; empty if there is a serial number
   bool operator==(const UsbIdentity&) const = default;
-  [[nodiscard]] bool ftdi() const { return vendor == "0403"; }
 };
 /// Empty for a port that is not on USB.
 std::optional<UsbIdentity> usbIdentity(const std::string& path, const std::string& sys_tty = kSysTty);
 
-/// /dev/ttyUSB0..7 with the same identity as `was` (any FTDI chip if unknown), without `path`.
+/// /dev/ttyUSB0..7 with the same identity as `was`, without `path`; none if it is unknown.
 std::vector<std::string> siblings(const std::string& path, const std::optional<UsbIdentity>& was,
                                   const std::string& sys_tty = kSysTty);
 

@@ -254,16 +254,22 @@ TEST(PortMemory, NeverFollowsAStaleLink) {
 class FakeSys {
  public:
   void plug(const std::string& tty, const std::string& vendor, const std::string& serial, int latency = 16) {
-    const fs::path usb = fs::path{folder_ / "devices"} / serial;
-    const fs::path port = usb / "1-1:1.0" / tty;
+    plugInto("1-1." + serial, tty, vendor, serial, latency);
+  }
+  /// Without a serial number there is no file for it.
+  void plugInto(const std::string& socket, const std::string& tty, const std::string& vendor = "0403",
+                const std::string& serial = "", int latency = 16) {
+    const fs::path usb = fs::path{folder_ / "devices"} / socket;
+    const fs::path port = usb / (socket + ":1.0") / tty;
     fs::create_directories(port);
     std::ofstream{usb / "idVendor"} << vendor << '\n';
     std::ofstream{usb / "idProduct"} << "6001\n";
-    std::ofstream{usb / "serial"} << serial << '\n';
+    if (!serial.empty()) std::ofstream{usb / "serial"} << serial << '\n';
     std::ofstream{port / "latency_timer"} << latency << '\n';
     fs::create_directories(fs::path{root()} / tty);
     fs::create_directory_symlink(port, fs::path{root()} / tty / "device");
   }
+  void unplug(const std::string& tty) { fs::remove_all(fs::path{root()} / tty); }
   [[nodiscard]] std::string root() const { return folder_ / "tty"; }
 
  private:
@@ -276,7 +282,6 @@ TEST(UsbSerial, IdentifiesADeviceByVendorProductAndSerialNumber) {
   const auto identity = usbIdentity("/dev/ttyUSB0", sys.root());
   ASSERT_TRUE(identity);
   EXPECT_EQ(*identity, (UsbIdentity{"0403", "6001", "A900"}));
-  EXPECT_TRUE(identity->ftdi());
   EXPECT_FALSE(usbIdentity("/dev/ttyUSB1", sys.root()));
 }
 
@@ -287,7 +292,31 @@ TEST(UsbSerial, OnlyTheSameDeviceReplacesALostOne) {
   sys.plug("ttyUSB3", "067b", "B1");
   using testing::ElementsAre;
   EXPECT_THAT(siblings("/dev/ttyUSB0", UsbIdentity{"0403", "6001", "A900"}, sys.root()), ElementsAre("/dev/ttyUSB1"));
-  EXPECT_THAT(siblings("/dev/ttyUSB0", std::nullopt, sys.root()), ElementsAre("/dev/ttyUSB1", "/dev/ttyUSB2"));
+  EXPECT_THAT(siblings("/dev/ttyUSB0", std::nullopt, sys.root()), testing::IsEmpty()) << "none is known to be it";
+}
+
+TEST(UsbSerial, AnAdapterWithoutASerialNumberIsNotReplacedByAnotherOne) {
+  FakeSys sys;
+  sys.plugInto("1-1.2", "ttyUSB0");
+  sys.plugInto("1-1.3", "ttyUSB1");
+  const auto ours = usbIdentity("/dev/ttyUSB0", sys.root());
+  ASSERT_TRUE(ours);
+  EXPECT_THAT(siblings("/dev/ttyUSB0", ours, sys.root()), testing::IsEmpty());
+  EXPECT_NE(usbIdentity("/dev/ttyUSB1", sys.root()), ours);
+
+  sys.unplug("ttyUSB0");
+  sys.unplug("ttyUSB1");
+  sys.plugInto("1-1.3", "ttyUSB0");  // the other one gets the number
+  EXPECT_NE(usbIdentity("/dev/ttyUSB0", sys.root()), ours);
+  sys.plugInto("1-1.2", "ttyUSB1");  // ours comes back under another number, in the same socket
+  EXPECT_THAT(siblings("/dev/ttyUSB0", ours, sys.root()), testing::ElementsAre("/dev/ttyUSB1"));
+}
+
+TEST(UsbSerial, AnAdapterWithASerialNumberIsTheSameInAnySocket) {
+  FakeSys sys;
+  sys.plugInto("1-1.2", "ttyUSB0", "0403", "A900");
+  sys.plugInto("1-1.3", "ttyUSB1", "0403", "A900");
+  EXPECT_EQ(usbIdentity("/dev/ttyUSB0", sys.root()), usbIdentity("/dev/ttyUSB1", sys.root()));
 }
 
 TEST(UsbSerial, ReadsAndSetsTheLatencyTimer) {
