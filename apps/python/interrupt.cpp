@@ -17,7 +17,7 @@ namespace {
 constexpr std::int64_t kOneRequestMs = 300;
 
 void (*next)(int) = nullptr;
-std::atomic<std::int64_t> first_ms{0};  // 0: none yet
+std::atomic<std::int64_t> request_ms{0};  // time of the last request, CLOCK_MONOTONIC; 0: none yet
 std::atomic<bool> raised{false};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler sets it");
 
@@ -30,13 +30,14 @@ std::int64_t nowMs() {
 void onInterrupt(int number) {
   const int error = errno;
   const std::int64_t now_ms = nowMs();
-  std::int64_t earlier_ms = 0;
-  const bool first = first_ms.compare_exchange_strong(earlier_ms, now_ms);
-  if (!first && now_ms - earlier_ms > kOneRequestMs && Py_IsInitialized() != 0 && !raised.exchange(true)) {
-    first_ms.store(now_ms);
-    PyErr_SetInterruptEx(number);  // may be called by a signal handler
-  } else {
-    next(number);
+  std::int64_t earlier_ms = request_ms.load();
+  const bool same_request = (earlier_ms != 0 && now_ms - earlier_ms <= kOneRequestMs) ||
+                            !request_ms.compare_exchange_strong(earlier_ms, now_ms);  // false: another thread has it
+  if (!same_request) {
+    if (earlier_ms != 0 && Py_IsInitialized() != 0 && !raised.exchange(true))
+      PyErr_SetInterruptEx(number);  // may be called by a signal handler
+    else
+      next(number);
   }
   errno = error;
 }
@@ -48,7 +49,7 @@ void installInterrupt() {
   if (sigaction(SIGINT, nullptr, &action) != 0 || action.sa_handler == SIG_IGN || action.sa_handler == onInterrupt)
     return;
   next = action.sa_handler;
-  first_ms.store(0);
+  request_ms.store(0);
   raised.store(false);
   action.sa_handler = onInterrupt;
   sigaction(SIGINT, &action, nullptr);

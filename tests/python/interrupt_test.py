@@ -9,6 +9,7 @@ import select
 import signal
 import subprocess
 import sys
+import time
 import unittest
 
 from programs import BIN, Programs, rows_of
@@ -68,6 +69,20 @@ class Ends(Programs):
             except subprocess.TimeoutExpired:
                 continue
         self.assertEqual(running.stdout.read(), "woken\n")
+
+    def test_a_second_request_that_arrives_twice_brings_the_robot_to_rest(self):
+        running = self.start("print('ready')\nfor _ in range(60):\n    robot.step(16)\nprint('sleeps')\n"
+                             "try:\n    while True:\n        time.sleep(0.1)\n"
+                             "finally:\n    time.sleep(0.2)\n")  # still there when the signal arrives again
+        self.assertEqual(running.stdout.readline(), "sleeps\n")
+        for _ in range(2):
+            for _ in range(2):  # to the group, and handed on by `darwinop run`
+                running.send_signal(signal.SIGINT)
+                time.sleep(0.02)
+            time.sleep(0.5)
+        _, errors = running.communicate(timeout=30)
+        self.assertIn("KeyboardInterrupt", errors)
+        self.check_rest()
 
     def test_an_exception_and_exit_bring_the_robot_to_rest(self):
         for program, status in (("raise ValueError", 1), ("sys.exit(3)", 3)):
