@@ -1,12 +1,9 @@
-// `darwinop run`: starts a controller, forwards signals, reports.
+// `darwinop run`: starts a controller and reports.
 #include "runtime/controller_run.hpp"
 
-#include <signal.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -16,8 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "hal/process/child_process.hpp"
-#include "hal/signals.hpp"
+#include "runtime/controller_process.hpp"
 #include "runtime/daemon_link.hpp"
 #include "runtime/exchange.hpp"
 #include "runtime/messages.hpp"
@@ -32,15 +28,6 @@ namespace darwinop::runtime {
 namespace {
 
 constexpr int kUnmonitored = 1;
-
-volatile sig_atomic_t child_pid = 0;
-
-/// The terminal sends Ctrl-C to the controller as well; a signal from another process reaches this process only.
-void handOn(int signal, siginfo_t* info, void*) {
-  const int error = errno;
-  if (child_pid > 0 && info->si_code <= 0) kill(static_cast<pid_t>(child_pid), signal);
-  errno = error;
-}
 
 /// Statistics of a loop over the run.
 class LoopFigures {
@@ -121,16 +108,18 @@ process::Start startOf(const RunRequest& request, const std::string& program, co
   return start;
 }
 
-process::Ending runToItsEnd(const process::Start& start) {
-  std::optional<process::ChildProcess> controller;
-  {
-    const process::SignalsHeld until_the_pid_is_known;
-    controller.emplace(start);
-    child_pid = controller->pid();
-  }
-  const process::Ending ending = controller->wait();
-  child_pid = 0;  // the number may soon be another process's
-  return ending;
+std::optional<LoopFigures> tryAttachEmbedded(const std::string& exchange) {
+  const auto attach = [](const RuntimeFiles& files) {
+    return Exchange::attach(files.exchange, Exchange::Access::kRead);
+  };
+  return exchange.empty() ? std::nullopt : tryAttach(attach, RuntimeFiles{exchange});
+}
+
+/// Of a controller that still runs; true also if that is unknown.
+bool keepsTorqueIfKilled(const std::string& exchange) {
+  if (!exchange.empty() && !std::filesystem::exists(exchange)) return false;  // it hosts no loop
+  const auto embedded = tryAttachEmbedded(exchange);
+  return !embedded || embedded->leftTorque(true);
 }
 
 }  // namespace
@@ -159,14 +148,11 @@ int runController(const RunRequest& request) {
   const std::string program = controllerProgram(request.command.at(0));
   const ObserverConnection observer;
   const std::optional<LoopFigures> daemon = tryAttach(observeDaemon, RuntimeFiles{});
-  onEndSignals(handOn);
-  const process::Ending ending = runToItsEnd(startOf(request, program, observer.path()));
+  const process::Ending ending = runControllerProcess(startOf(request, program, observer.path()), request.hang_up,
+                                                      [&] { return keepsTorqueIfKilled(observer.path()); });
   if (ending.by_signal) std::cerr << "the controller was ended by signal " << ending.code << std::endl;
 
-  const auto attach = [](const RuntimeFiles& files) {
-    return Exchange::attach(files.exchange, Exchange::Access::kRead);
-  };
-  auto embedded = observer.path().empty() ? std::nullopt : tryAttach(attach, RuntimeFiles{observer.path()});
+  auto embedded = tryAttachEmbedded(observer.path());
   bool unmonitored = false;  // joints may have torque, and no loop is left
   if (embedded) {
     const JointSet left = embedded->leftTorque(ending.isNormal());

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/controller_process.hpp"
+
 namespace darwinop::runtime {
 
 struct RunRequest {
@@ -12,6 +14,7 @@ struct RunRequest {
   std::string record;                // CSV file; empty: no recording
   std::string period_ms;             // empty: as set in the controller's config.ini
   std::string python_modules = {};   // their folder, for a controller NAME.py
+  HangUp hang_up = {};
 };
 
 /// Path of the program for `controller`, a program, a Python script NAME.py or a folder. Throws std::runtime_error with

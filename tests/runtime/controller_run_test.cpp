@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -35,7 +36,9 @@ Outcome run(const std::string& argument) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   Outcome outcome;
-  outcome.status = runController({{MINI_CONTROLLER, argument}, "virtual", "", "8"});
+  RunRequest request{{MINI_CONTROLLER, argument}, "virtual", "", "8"};
+  request.hang_up = {std::chrono::milliseconds{20}, std::chrono::milliseconds{20}};
+  outcome.status = runController(request);
   outcome.said = testing::internal::GetCapturedStdout();
   outcome.warned = testing::internal::GetCapturedStderr();
   const std::string text = outcome.said.substr(0, outcome.said.size() - 1);
@@ -80,6 +83,12 @@ TEST(Run, ReportsNoJointAfterARobotWasBroughtToRest) {
 
 TEST(Run, HandsOnASignalThatAnotherProcessSends) {
   EXPECT_EQ(run("wait").status, 5);
+}
+
+TEST(Run, EndsAControllerThatOutlivesItsTerminalOnceTheRobotIsLimp) {
+  const Outcome outcome = run("hang");
+  EXPECT_EQ(outcome.status, 128 + SIGKILL);
+  EXPECT_THAT(outcome.warned, testing::Not(HasSubstr(messages::kNoLoopLeft)));
 }
 
 TEST(Run, ReportsNothingRunForAProgramThatIsNotAController) {

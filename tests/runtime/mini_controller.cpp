@@ -16,6 +16,8 @@ std::atomic<bool>* stop_flag = nullptr;
 void drive(void (*end)(darwinop::runtime::FakeRobot&)) {
   using namespace darwinop;
   runtime::LoopConfig config;
+  config.safety.stall_ms = 100;
+  config.safety.gone_s = 0.5;
   config.period = std::chrono::milliseconds{2};
   const auto robot = std::make_shared<runtime::FakeRobot>();
   runtime::ThreadedLink link{config, std::make_unique<runtime::FakeBus>(robot)};
@@ -28,6 +30,14 @@ void drive(void (*end)(darwinop::runtime::FakeRobot&)) {
   }
   end(*robot);
 }
+
+/// The terminal of both is closed; it goes on.
+void hang(darwinop::runtime::FakeRobot&) {
+  std::signal(SIGHUP, SIG_IGN);
+  std::signal(SIGINT, SIG_IGN);
+  kill(getppid(), SIGHUP);
+  for (;;) pause();
+}
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -38,6 +48,7 @@ int main(int count, char** arguments) {
   if (end == "leave") drive([](FakeRobot&) { _exit(0); });
   if (end == "rest") return drive([](FakeRobot&) {}), 0;
   if (end == "unplug Neck") return drive([](FakeRobot& robot) { robot.dead[index(darwinop::Joint::kNeck)] = true; }), 0;
+  if (end == "hang") drive(hang);
   SimulatedRobot sim;
   stop_flag = &sim.stop;
   sim.step({}, 20);
