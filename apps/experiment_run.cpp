@@ -21,6 +21,7 @@
 #include "experiments/run/progress.hpp"
 #include "experiments/run/recorded.hpp"
 #include "experiments/run/runner.hpp"
+#include "runtime/recording_file.hpp"
 #include "webots/stop_signals.hpp"
 #include "webots/tool_robot.hpp"
 
@@ -88,8 +89,7 @@ int reportEnd(RunOutcome outcome, const std::string& record) {
 }  // namespace
 
 int run(ExperimentRequest a) {
-  if (std::filesystem::is_regular_file(a.record))
-    throw std::runtime_error(a.record + " exists; give another file with --record");
+  runtime::requireNewRecording(a.record);
   const Experiment experiment = readExperiment(findExperiment(a.experiment));
   if (const char* usual = std::getenv("DARWINOP_ROBOT"); a.robot.empty() && usual != nullptr) a.robot = usual;
   const connect::Setting robot = connect::readSetting(a.robot);

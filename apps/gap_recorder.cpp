@@ -18,7 +18,7 @@
 #include "gap/record/kept_recording.hpp"
 #include "gap/record/recording_check.hpp"
 #include "hal/process/child_process.hpp"
-#include "runtime/recorder.hpp"
+#include "runtime/recording_file.hpp"
 #include "safety/config.hpp"
 
 namespace darwinop::gap {

@@ -22,6 +22,7 @@
 #include "motion_messages.hpp"
 #include "motion_own.hpp"
 #include "motion_preview.hpp"
+#include "runtime/recording_file.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
 #include "webots/tool_robot.hpp"
@@ -146,6 +147,7 @@ void setForRobot(const char* name, const std::string& value) {
 }  // namespace
 
 int play(PlayRequest request) {
+  runtime::requireNewRecording(request.record);
   const bool is_motion = isMotionFile(request.file);
   const std::string preview = checkedPreview(request, is_motion);
   if (const char* usual = std::getenv("DARWINOP_ROBOT"); request.robot.empty() && usual != nullptr)

@@ -20,6 +20,7 @@
 #include "hal/net/ssh/target.hpp"
 #include "parse_arguments.hpp"
 #include "runtime/controller_run.hpp"
+#include "runtime/recording_file.hpp"
 #include "ssh_login.hpp"
 
 namespace {
@@ -136,6 +137,7 @@ int main(int count, char** arguments) try {
 
   setTwinLibraryPath();
   request.robot = withAbsolutePath(request.robot);
+  darwinop::runtime::requireNewRecording(request.record);
   request.record = absolute(request.record);
   request.python_modules = libraries() / "darwinop/python";
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);

@@ -58,6 +58,11 @@ inline constexpr const char* kReleasedInSilence =
 inline constexpr const char* kNoPythonModules = "this build has no Python modules: there is no ";  // then the folder
 inline constexpr const char* kNoPython = "no Python loads the modules in ";                        // then the folder
 
+// recording_file.cpp
+inline constexpr const char* kRecordingExists = " exists; give another file with --record";  // after the path
+inline constexpr const char* kNotARecording =
+    " is not a recording, so it is not replaced; choose another file with --record";  // after the path
+
 // report.cpp
 inline constexpr const char* kNoBoard = "board         none: servo power is unknown; no buttons, no inertial sensor\n";
 inline constexpr const char* kNoCycle = "The loop has not run a cycle.\n";

@@ -10,13 +10,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
 
 #include "runtime/log_columns.hpp"
+#include "runtime/recording_file.hpp"
 #include "runtime/version.hpp"
 
 namespace darwinop::runtime {
@@ -55,7 +54,10 @@ std::string commented(std::string_view lines) {
   return text;
 }
 
-LogFile openRecording(const std::string& path) try { return LogFile{path}; } catch (const std::system_error& error) {
+LogFile openRecording(const std::string& path) try {
+  requireReplaceableRecording(path);
+  return LogFile{path};
+} catch (const std::system_error& error) {
   throw std::runtime_error("cannot write the recording " + path + ": " + std::strerror(error.code().value()) +
                            "; choose another file with --record");
 }
@@ -112,7 +114,7 @@ void Recorder::run() {
 }
 
 void Recorder::writeHead(const LogHead& head) {
-  std::string text = "# darwinop log, format 1\n# robot: " + head.robot + "\n# model: " + head.model +
+  std::string text = kRecordingHead + ("# robot: " + head.robot) + "\n# model: " + head.model +
                      "\n# version: " + version() + "\n# date: " + today() + "\n# period_s: ";
   append(text, std::chrono::duration<double>(head.period).count());
   text += "\n" + commented(head.notes) + "# safety.state:";
@@ -149,15 +151,6 @@ void Recorder::check(int error) {
   if (error == 0) return;
   failed_ = true;
   std::cerr << "the recording " << path_ << " ends here: " << std::strerror(error) << "; the loop continues\n";
-}
-
-bool isCompleteRecording(const std::string& path) {
-  std::error_code absent;
-  if (!std::filesystem::is_regular_file(path, absent)) return std::filesystem::exists(path, absent);
-  std::string last(std::strlen(kEndOfRecording), '\0');
-  std::ifstream file{path, std::ios::binary};
-  file.seekg(-static_cast<std::streamoff>(last.size()), std::ios::end);
-  return file.read(last.data(), static_cast<std::streamsize>(last.size())) && last == kEndOfRecording;
 }
 
 }  // namespace darwinop::runtime

@@ -16,8 +16,6 @@ namespace darwinop::runtime {
 
 /// Comment line before the number of lost rows; experiments/logs reads it.
 inline constexpr const char* kLostRows = "# lost rows: ";
-/// Last line: everything before it is on the disk.
-inline constexpr const char* kEndOfRecording = "# end\n";
 
 /// Header of a recording.
 struct LogHead {
@@ -64,9 +62,5 @@ class Recorder {
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };
-
-/// True if the recording in `path`, whose Recorder no longer exists, has its last line. True also if `path` is not a
-/// regular file: what went into a pipe cannot be read back.
-[[nodiscard]] bool isCompleteRecording(const std::string& path);
 
 }  // namespace darwinop::runtime

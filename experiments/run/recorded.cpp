@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "runtime/recorder.hpp"
+#include "runtime/recording_file.hpp"
 
 namespace darwinop::experiments {
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -21,6 +22,8 @@
 
 #include "core/conversions.hpp"
 #include "runtime/log_columns.hpp"
+#include "runtime/messages.hpp"
+#include "runtime/recording_file.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
 
@@ -29,6 +32,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 /// What a spreadsheet makes of the file.
 struct Table {
@@ -139,6 +143,20 @@ TEST(Recorder, SaysWhyItCannotBegin) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("/no/such/folder/log.csv"));
     EXPECT_THAT(error.what(), HasSubstr("--record"));
+  }
+}
+
+TEST(Recorder, ReplacesARecordingOrAnEmptyFileButNoOther) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "controller.py";
+  std::ofstream{path} << "from controller import Robot\n";
+  EXPECT_THAT([&] { Recorder(path, {}, Recorder::Writer::kByHand); },
+              ThrowsMessage<std::runtime_error>(path + messages::kNotARecording));
+  EXPECT_EQ(std::filesystem::file_size(path), 29u);
+  std::filesystem::resize_file(path, 0);
+  for (int i = 0; i < 2; ++i) {
+    (void)Recorder{path, {}, Recorder::Writer::kByHand};
+    EXPECT_TRUE(isCompleteRecording(path));
   }
 }
 

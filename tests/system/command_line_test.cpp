@@ -142,8 +142,12 @@ TEST_F(CommandLine, AVirtualRobotKeepsItsLink) {
 
 TEST_F(CommandLine, NeitherRecordingsNorCasesAreReplaced) {
   std::ofstream{file("keep.csv")} << "kept";
-  EXPECT_EQ(call("experiment run chirp --robot virtual --record keep.csv").status, 2);
-  EXPECT_EQ(textOf(file("keep.csv")), "kept");
+  for (const char* command : {"experiment run chirp", "motion play own 9", "run " DARWINOP_EXAMPLES "/01_hello_head"}) {
+    const Outcome refused = call(command + std::string{" --robot virtual --record keep.csv"});
+    EXPECT_EQ(refused.status, 2) << command;
+    EXPECT_THAT(refused.said, HasSubstr(std::string{"keep.csv"} + runtime::messages::kRecordingExists));
+    EXPECT_EQ(textOf(file("keep.csv")), "kept");
+  }
   std::filesystem::create_directory(file("mine"));
   std::ofstream{file("mine/case.json")} << "kept";
   const Outcome refused = call("gap case keep.csv --out mine");
