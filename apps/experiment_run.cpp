@@ -36,7 +36,7 @@ Ranges rangesOf(const connect::Setting& robot) {
   return connect::safetyOn(connect::readRobotFile(), {}, "config.ini").range;
 }
 
-/// "speed-20260102-150405-twin.csv".
+/// "speed-20260102-150405-twin.csv"; "-2" and so on before ".csv" if that exists.
 std::string logName(const Experiment& experiment, const std::string& robot) {
   char date[32];
   const time_t now = time(nullptr);
@@ -46,7 +46,10 @@ std::string logName(const Experiment& experiment, const std::string& robot) {
   std::string name = robot.empty() ? "robot" : std::filesystem::path{robot}.stem().string();
   std::ranges::replace_if(
       name, [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
-  return experiment.name + date + name + ".csv";
+  const std::string base = experiment.name + date + name;
+  std::string free = base + ".csv";
+  for (int i = 2; std::filesystem::exists(free); ++i) free = base + "-" + std::to_string(i) + ".csv";
+  return free;
 }
 
 void setIfGiven(const char* name, const std::string& value) {

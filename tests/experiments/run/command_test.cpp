@@ -67,6 +67,17 @@ TEST_F(Command, RunRecordsUnderTheNameOfTheExperiment) {
   EXPECT_TRUE(log.ends_with("# end\n"));
 }
 
+TEST_F(Command, RunsWithinTheSameSecondLeaveARecordingEach) {
+  std::ofstream{file("nod.ini")} << "[experiment]\nname = nod\ntitle = a nod\n[setup]\npose = start\nduration = 1 s\n"
+                                    "[phase nod]\njoints = Head\ngoal = step\nto = 0.1 rad\nvelocity = 1 rad/s\n"
+                                    "duration = 1 s\n[record]\njoints = Head\n";
+  const std::string run = DARWINOP_BIN "/darwinop-experiment run nod.ini --robot virtual";
+  const Outcome all =
+      shell("cd " + folder_.string() + " && for i in 1 2 3 4; do " + run + " || exit; done; ls nod-*.csv | wc -l");
+  EXPECT_EQ(all.status, 0) << all.said;
+  EXPECT_TRUE(all.said.ends_with("\n4\n")) << all.said;
+}
+
 // Its size limit stands for a full disk. The shared memory of the loop is a file also, which has to fit.
 TEST_F(Command, AnExperimentThatCouldNotBeRecordedInFullFails) {
   const std::string limited = "trap '' XFSZ; ulimit -f 1024; exec \"$0\" \"$@\"";
