@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cinttypes>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -18,7 +17,6 @@
 
 #include "connect/setting.hpp"
 #include "connect/twin_library.hpp"
-#include "core/joints.hpp"
 #include "hal/signals.hpp"
 #include "hal/text_file.hpp"
 #include "hil-mocks/fault_script.hpp"
@@ -37,8 +35,11 @@ namespace {
 using darwinop::Nanos;
 namespace hil = darwinop::hil;
 
+using darwinop::app::printJoints;
+using darwinop::app::report;
+using darwinop::app::warnOfLag;
+
 constexpr Nanos kPhysicsRest = std::chrono::milliseconds{2};  // bounds the simulation time before a reply
-constexpr Nanos kTooLate = std::chrono::milliseconds{16};     // one cycle of the loop
 
 struct Arguments {
   std::string link, faults, body = "plain", camera;
@@ -70,23 +71,13 @@ void describe(CLI::App& app, Arguments& a) {
       "build/release/controllers/01_hello_head\n");
 }
 
-/// Prints all joint angles in one line, and where the trunk of a body with physics is, on SIGUSR1.
-void printJoints(hil::PtyHost& host) {
-  const darwinop::BodyState body = host.withRobot([](hil::VirtualRobot& robot) { return robot.body().state(); });
-  std::printf("joints: %.2f s", std::chrono::duration<double>(host.now()).count());
-  for (std::size_t i = 0; i < darwinop::kJoints; ++i)
-    std::printf(" %s=%+.3f", std::string{darwinop::kJointTable[i].name}.c_str(), body.joint[i].position_rad);
-  std::printf(" rad");
-  if (!std::isnan(body.trunk_m[0]))
-    std::printf(" trunk_x=%+.3f trunk_y=%+.3f trunk_z=%+.3f m", body.trunk_m[0], body.trunk_m[1], body.trunk_m[2]);
-  std::printf("\n");
-  std::fflush(stdout);
-}
-
-std::vector<hil::InjectedFault> faultsIn(const std::string& path) {
+/// `start`: the robot's time when its port opens, 0 of the script.
+std::vector<hil::InjectedFault> faultsIn(const std::string& path, Nanos start) {
   const std::optional<std::string> text = darwinop::readTextFile(path, hil::kLongestFaultScript);
   if (!text) throw std::runtime_error("cannot read fault script " + path + " of --faults");
-  return hil::parseFaultScript(*text, path);
+  std::vector<hil::InjectedFault> faults = hil::parseFaultScript(*text, path);
+  for (hil::InjectedFault& fault : faults) fault.at += start;
+  return faults;
 }
 
 std::unique_ptr<darwinop::Body> makeBody(const Arguments& a) {
@@ -96,23 +87,9 @@ std::unique_ptr<darwinop::Body> makeBody(const Arguments& a) {
   throw std::runtime_error("--body " + a.body + ": expected plain, twin, or twin:MODEL");
 }
 
-double ms(Nanos time) {
-  return std::chrono::duration<double, std::milli>(time).count();
-}
-
-/// Warns once. Returns true if it has warned.
-bool warnOfLag(const hil::PtyHost& host, bool physics) {
-  if (host.worstLag() < kTooLate) return false;
-  std::fprintf(stderr,
-               "darwinop-virtual-robot: this machine is too slow or busy: the simulation was %.0f ms behind real time, "
-               "and replies were late. Close other programs%s\n",
-               ms(host.worstLag()), physics ? ", or use --body plain" : "");
-  return true;
-}
-
 /// Waits for a signal of kEndSignals or the end of the time. The signals are blocked in every thread.
 void waitForEnd(const sigset_t& signals, double for_s, bool physics, hil::PtyHost& host) {
-  const double end_s = for_s > 0 ? for_s : 1e9;
+  const double end_s = std::chrono::duration<double>(host.now()).count() + (for_s > 0 ? for_s : 1e9);
   bool warned = false;
   for (;;) {
     warned = warned || warnOfLag(host, physics);
@@ -126,17 +103,6 @@ void waitForEnd(const sigset_t& signals, double for_s, bool physics, hil::PtyHos
         (signal < 0 && left_s <= wait_s))
       return;
   }
-}
-
-void report(const hil::VirtualRobot& robot, std::uint64_t torque_on, double seconds, Nanos lag) {
-  const hil::BoardCounters& c = robot.board().counters();
-  std::printf("\nframes: %" PRIu64 "  %s: %" PRIu64 "  %s: %" PRIu64 "  replies: %" PRIu64 "  checksum errors: %" PRIu64
-              "  lost bytes: %" PRIu64 "\n",
-              c.frames, darwinop::app::kSyncWrites, c.sync_writes, darwinop::app::kBulkReads, c.bulk_reads, c.replies,
-              c.bad_checksums, c.lost_bytes);
-  std::printf("cycles per second: %.1f over %.1f s\n", static_cast<double>(c.bulk_reads) / seconds, seconds);
-  std::printf("%s: %" PRIu64 "\n", darwinop::app::kTorqueSwitchedOn, torque_on);
-  std::printf("%s: at most %.1f ms\n", darwinop::app::kBehindRealTime, ms(lag));
 }
 
 int serve(const Arguments& a) {
@@ -162,10 +128,12 @@ int serve(const Arguments& a) {
   hil::TorqueOnCounter torque_on;  // outlives the robot
   hil::VirtualRobot robot{options, a.seed, std::move(body)};
   robot.board().observe(&torque_on);
-  if (!a.faults.empty()) robot.faults().add(faultsIn(a.faults));
+  if (physics) robot.advance(hil::kSettlesIn);
+  if (!a.faults.empty()) robot.faults().add(faultsIn(a.faults, robot.now()));
   Nanos served{0}, lag{0};
   {
     hil::PtyHost host{robot, pty};
+    const Nanos began = host.now();
     std::printf("port: %s\n", host.path().c_str());
     if (!a.link.empty()) std::printf("link: %s\n", a.link.c_str());
 #ifdef DARWINOP_VIRTUAL_CAMERA
@@ -175,7 +143,7 @@ int serve(const Arguments& a) {
     if (!a.faults.empty()) std::printf("faults: %s, seed %" PRIu64 "\n", a.faults.c_str(), a.seed);
     std::fflush(stdout);
     waitForEnd(signals, a.for_s, physics, host);
-    served = host.now();
+    served = host.now() - began;
     lag = host.worstLag();
   }
   report(robot, torque_on.count(), std::chrono::duration<double>(served).count(), lag);

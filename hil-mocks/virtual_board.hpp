@@ -18,6 +18,9 @@ namespace darwinop::hil {
 
 /// BoardOptions::body_step of a body with physics: the encoder sampling interval of a servo.
 inline constexpr Nanos kPhysicsStep = std::chrono::milliseconds{1};
+/// Time after which a body with physics, placed with stiff joints, lies still without torque. Of the twin on its floor:
+/// 0.12 s.
+inline constexpr Nanos kSettlesIn = std::chrono::milliseconds{200};
 
 struct BoardOptions {
   Nanos byte_time = std::chrono::microseconds{10};  // 1 Mbaud, 8N1; 0: unpaced

@@ -56,6 +56,7 @@ class Show {
     hil::BoardOptions board;
     board.body_step = hil::kPhysicsStep;
     robot_ = std::make_unique<hil::VirtualRobot>(board, 1, std::move(watched));
+    robot_->advance(hil::kSettlesIn);
     host_ = std::make_unique<hil::PtyHost>(*robot_);
     std::cout << "port: " << host_->path() << std::endl;
     if (!options.controller.empty()) controller_.emplace(options.controller, host_->path());

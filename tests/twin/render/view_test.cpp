@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "hal/process/child_process.hpp"
+#include "safety/start_pose.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/x_server.hpp"
@@ -46,6 +47,7 @@ TEST_F(View, ShowsTheMotionOfTheController) {
   EXPECT_EQ(made.status, 0) << made.said;
   EXPECT_THAT(made.said, HasSubstr("30 pictures"));
   EXPECT_THAT(made.said, HasSubstr("report: "));  // the controller ran and ended normally
+  EXPECT_THAT(made.said, testing::Not(HasSubstr(safety::kNotUpright))) << "the body lies still when the port opens";
   EXPECT_NE(readPng(film + "/frame_00001.png").rgb, readPng(film + "/frame_00030.png").rgb);  // the head moved
 }
 
