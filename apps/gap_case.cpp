@@ -79,7 +79,9 @@ int makeCase(const Arguments& given) {
   request.joint = jointCalled(given.jointOrUsual());
   request.recordings = given.recordings;
   request.held_out = given.held_out;
-  for (const std::string& sentence : writeJointCase(request, given.out)) std::cout << sentence << '\n';
+  const JointCaseNotes notes = writeJointCase(request, given.out);
+  for (const std::string& warning : notes.warnings) std::cerr << "darwinop gap: " << warning << '\n';
+  for (const std::string& sentence : notes.logs) std::cout << sentence << '\n';
   std::cerr << "darwinop gap: " << given.out << " is the case; next: darwinop gap run " << given.out << "\n";
   return 0;
 }

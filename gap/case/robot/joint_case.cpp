@@ -79,11 +79,13 @@ std::vector<double> beginsOf(const std::vector<logs::Log>& recordings) {
   return begins;
 }
 
-std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& model) {
+std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& model,
+                          std::vector<std::string>& warnings) {
   std::vector<Part> parts;
   std::vector<logs::Log> recordings;
   for (const std::vector<std::string>* const files : {&request.recordings, &request.held_out})
     for (const std::string& file : *files) recordings.push_back(logs::readLog(file));
+  for (const logs::Log& log : recordings) warnings.insert(warnings.end(), log.warnings.begin(), log.warnings.end());
   const std::vector<double> begins_s = beginsOf(recordings);
   const auto add = [&](std::size_t i, bool held_out) {
     const logs::Log& log = recordings[i];
@@ -145,9 +147,10 @@ Json logOf(const Part& part, std::size_t number, Joint joint, double length_m) {
 
 }  // namespace
 
-std::vector<std::string> writeJointCase(const JointCaseRequest& request, const std::string& folder) {
+JointCaseNotes writeJointCase(const JointCaseRequest& request, const std::string& folder) {
   twin::Model model = twin::readModel(twin::findModel(request.model));
-  const std::vector<Part> parts = partsOf(request, model);
+  JointCaseNotes notes;
+  const std::vector<Part> parts = partsOf(request, model, notes.warnings);
   const double length_m = lengthOf(parts.front());
   if (const double supply = parts.front().what.supply_v; supply > 0) model.servo.supply_v = supply;
 
@@ -166,18 +169,17 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
                         .model = [&](const std::string&) { return model; }};
   Case made = parseCase(json.dump(), (fs::path{folder} / "case.json").string(), files);
 
-  std::vector<std::string> done;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     // A load is that of the last period of the firmware before the read. Where that period is unknown, a goal may show
     // in it a period too early or too late, like an effect.
     if (!made.logs[i].isReadAfterWrite())
       std::ranges::fill(made.logs[i].load, std::numeric_limits<double>::quiet_NaN());
-    done.push_back(sentence(parts[i], made.logs[i].file));
+    notes.logs.push_back(sentence(parts[i], made.logs[i].file));
   }
   if (const std::string wrong = twin::copyBody(model, folder, twin::OtherBody::kReplace); !wrong.empty())
     throw std::runtime_error(wrong);
   writeCase(made, folder);
-  return done;
+  return notes;
 }
 
 }  // namespace darwinop::gap

@@ -20,10 +20,15 @@ struct JointCaseRequest {
   std::vector<std::string> held_out;    // not fitted: to verify the result
 };
 
+/// Sentences for the user.
+struct JointCaseNotes {
+  std::vector<std::string> logs;      // what each log of the case is
+  std::vector<std::string> warnings;  // about the recordings, such as one that was cut off
+};
+
 /// Makes the folder: case.json, model.ini, and a log for each part in which the joint moves alone. The pendulum that
 /// the joint swings is that of the model's body, in the pose and at the tilt of each recording, upright without a
-/// board; the supply is the board's or the joint's. Returns what was done, a sentence a log. Throws std::runtime_error
-/// with a sentence.
-std::vector<std::string> writeJointCase(const JointCaseRequest& request, const std::string& folder);
+/// board; the supply is the board's or the joint's. Throws std::runtime_error with a sentence.
+JointCaseNotes writeJointCase(const JointCaseRequest& request, const std::string& folder);
 
 }  // namespace darwinop::gap

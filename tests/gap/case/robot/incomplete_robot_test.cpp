@@ -33,7 +33,7 @@ TEST_F(IncompleteRobot, OfARobotWithoutABoardIsUprightWithTheVoltageOfTheServo) 
   }
   std::ofstream{file("swing.csv")} << none;
   const std::vector<std::string> said =
-      writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
+      writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("case")).logs;
   EXPECT_THAT(said, testing::ElementsAre(testing::AllOf(testing::HasSubstr(messages::kTakenAsUpright),
                                                         testing::HasSubstr(messages::kSupplyOfModel))));
   for (std::size_t at = none.find(",,30\n"); at != none.npos; at = none.find(",,30\n", at + 1))

@@ -33,6 +33,16 @@ TEST_F(JointCase, OfTheTwinIsSimulatedAsItMoved) {
   EXPECT_LT(std::sqrt(sum / static_cast<double>(trace[kPositionSignal].size())), 0.003) << "two steps of the encoder";
 }
 
+TEST_F(JointCase, OfARecordingThatWasCutOffHasAWarning) {
+  std::string text = recordedSwing();
+  std::ofstream{file("swing.csv")} << text;
+  EXPECT_TRUE(writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("whole")).warnings.empty());
+  std::ofstream{file("cut.csv")} << text.erase(text.size() - 1000);
+  const JointCaseNotes notes = writeJointCase({.recordings = {file("cut.csv")}, .held_out = {}}, file("cut"));
+  ASSERT_EQ(notes.warnings.size(), 1U);
+  EXPECT_THAT(notes.warnings.front(), testing::StartsWith(file("cut.csv") + " has no \"# end\""));
+}
+
 // The clock of a recording is the computer's, which may have run for days.
 TEST_F(JointCase, ASessionBeginsWithItsFirstRecording) {
   constexpr double kDays = 2e5;  // s
