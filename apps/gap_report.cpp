@@ -56,15 +56,26 @@ int runRaw(Arguments given) {
   given.folder = made;
   given.model.clear();  // the case has it
   given.declared.clear();
+  given.held_out.clear();
+  given.all_logs = false;
   return run(given);
+}
+
+/// A case.json has what these options declare of raw logs.
+void refuseRawOptions(const Arguments& given) {
+  const auto refuse = [&](const char* option, const char* instead) {
+    throw std::runtime_error(given.folder + " has a case.json; " + option + " is for raw logs: " + instead);
+  };
+  if (!given.declared.empty()) refuse("--declare", "edit case.json instead");
+  if (!given.held_out.empty()) refuse("--keep", R"(edit "role" in case.json instead)");
+  if (given.all_logs) refuse("--all-logs", R"(those with "role": "fit" or "held_out" in case.json are taken)");
 }
 
 }  // namespace
 
 int run(const Arguments& given) {
   if (!given.out.empty() && Ranks::isFirst()) requireWritable(given.out);
-  if (!given.declared.empty() && fs::exists(fs::path{given.folder} / "case.json"))
-    throw std::runtime_error(given.folder + " has a case.json; --declare is for raw logs: edit case.json instead");
+  if (fs::exists(fs::path{given.folder} / "case.json")) refuseRawOptions(given);
   if (isRawFolder(given.folder)) return runRaw(given);
   if (isBodyCase(given.folder)) return Ranks::isFirst() ? runBody(given) : 0;
   const Case read = readGiven(given);

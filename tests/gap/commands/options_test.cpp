@@ -42,6 +42,15 @@ TEST(GapOptions, ALogInPlaceOfACaseIsRefusedWithItsFolder) {
   EXPECT_THAT(refused.said, testing::HasSubstr(kExample));
 }
 
+TEST(GapOptions, OfRawLogsAreRefusedForACase) {
+  for (const std::string option : {"--declare", "--keep", "--all-logs"}) {
+    const std::string value = option == "--all-logs" ? "" : " kp=3";
+    const Outcome refused = shell(kGap + " run " + kExample + " " + option + value);
+    EXPECT_EQ(refused.status, 2) << option;
+    EXPECT_THAT(refused.said, testing::HasSubstr("has a case.json; " + option));
+  }
+}
+
 // A model file is written with its body, which readers look for beside it.
 TEST(GapOptions, AModelThatIsWrittenHasItsBody) {
   const TemporaryFolder folder;
