@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "connect/setting.hpp"
+#include "gap/case/raw_folder.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -58,7 +59,9 @@ std::string caseFolder(const std::string& named) {
   if (!std::filesystem::is_regular_file(path)) return named;
   std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
   if (path.filename() == "case.json") return folder;
-  throw CLI::ValidationError{"CASE", named + " is a file, but a case is a folder; did you mean " + folder + "?"};
+  const bool is_usable = std::filesystem::exists(std::filesystem::path{folder} / "case.json") || isRawFolder(folder);
+  throw CLI::ValidationError{named + " is a file, but a case is a folder" +
+                             (is_usable ? "; did you mean " + folder + "?" : "")};
 }
 
 }  // namespace

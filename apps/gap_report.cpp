@@ -75,7 +75,10 @@ void refuseRawOptions(const Arguments& given) {
 
 int run(const Arguments& given) {
   if (!given.out.empty() && Ranks::isFirst()) requireWritable(given.out);
-  if (fs::exists(fs::path{given.folder} / "case.json")) refuseRawOptions(given);
+  if (fs::exists(fs::path{given.folder} / "case.json"))
+    refuseRawOptions(given);
+  else if (fs::is_directory(given.folder) && !isRawFolder(given.folder))
+    throw std::runtime_error(given.folder + messages::kNeitherCaseNorLogs);
   if (isRawFolder(given.folder)) return runRaw(given);
   if (isBodyCase(given.folder)) return Ranks::isFirst() ? runBody(given) : 0;
   const Case read = readGiven(given);

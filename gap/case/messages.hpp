@@ -10,6 +10,7 @@ inline constexpr const char* kNeverAnswer =
     ": no answer in any log, so neither the limb nor the robot on the floor is tested";
 
 // case.json
+inline constexpr const char* kNoFolder = ": there is no such folder";  // after its path
 inline constexpr const char* kBeyondFolder = "is outside the folder of the case";
 inline constexpr const char* kDigitsBeyondDouble = "a number has more digits than any number can have";
 inline constexpr const char* kEndBeforeStart = "is not after `from_s`";

@@ -10,6 +10,12 @@
 
 namespace darwinop::gap {
 
+namespace messages {
+inline constexpr const char* kNeitherCaseNorLogs =
+    " has neither a case.json nor logs: CSVs, or the JSON files of BAM; docs/gap/cases.md explains a case, and "
+    "docs/gap/own-servo.md raw logs";
+}  // namespace messages
+
 /// kByFiles: BAM if any JSON has `entries`, or if there is no CSV.
 enum class RawFormat : std::uint8_t { kByFiles, kBam, kCsv };
 

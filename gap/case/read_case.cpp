@@ -21,6 +21,7 @@ logs::Log readRegularLog(const fs::path& path) {
 }  // namespace
 
 std::string caseTextIn(const std::string& folder) {
+  if (!fs::is_directory(folder)) throw BadInput(folder + messages::kNoFolder);
   const std::string file = (fs::path{folder} / "case.json").string();
   std::optional<std::string> text;
   try {

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <utility>
 
+#include "gap/case/messages.hpp"
+#include "gap/case/raw_folder.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "twin/model/messages.hpp"
@@ -39,7 +41,25 @@ TEST(GapOptions, ACaseIsAlsoNamedByItsCaseJson) {
 TEST(GapOptions, ALogInPlaceOfACaseIsRefusedWithItsFolder) {
   const Outcome refused = shell(kGap + " check " + kExample + "/fit_1.csv");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.said, testing::HasSubstr(kExample));
+  EXPECT_THAT(refused.said, testing::StartsWith("darwinop gap: CASE: " + kExample + "/fit_1.csv is a file"));
+  EXPECT_THAT(refused.said, testing::HasSubstr("did you mean " + kExample + "?"));
+}
+
+TEST(GapOptions, AFileInAFolderThatIsNoCaseIsRefusedWithoutTheFolder) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "notes.txt"} << "x";
+  const Outcome refused = shell(kGap + " run " + (folder / "notes.txt"));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, testing::HasSubstr("is a file"));
+  EXPECT_THAT(refused.said, testing::Not(testing::HasSubstr("did you mean")));
+}
+
+TEST(GapOptions, AFolderWithoutLogsAndAMissingOneAreRefusedByWhatTheyAre) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(shell(kGap + " run " + (folder / "none")).said,
+            "darwinop gap: " + (folder / "none") + messages::kNoFolder + "\n");
+  EXPECT_EQ(shell(kGap + " run " + (folder / "")).said,
+            "darwinop gap: " + (folder / "") + messages::kNeitherCaseNorLogs + "\n");
 }
 
 TEST(GapOptions, OfRawLogsAreRefusedForACase) {
