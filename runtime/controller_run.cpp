@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "runtime/controller_process.hpp"
 #include "runtime/daemon_link.hpp"
@@ -122,6 +124,23 @@ bool keepsTorqueIfKilled(const std::string& exchange) {
   return !embedded || embedded->leftTorque(true);
 }
 
+/// What to name where `folder` does not have the program `missing`.
+std::string inPlaceOf(const std::filesystem::path& missing, const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  const fs::path name = missing.filename();
+  // By the controller's own CMake, and by ./dev build from the clone's folder controllers.
+  for (const fs::path& place : {folder / "build" / name, folder / "../../build/release/controllers" / name / name})
+    if (const fs::path built = place.lexically_normal(); fs::exists(built)) return messages::kBuiltIn + built.string();
+  std::vector<std::string> scripts;
+  for (const auto& entry : fs::directory_iterator{folder})
+    if (isPythonScript(entry.path())) scripts.push_back(entry.path().string());
+  if (scripts.empty()) return messages::kBuildFirst;
+  std::ranges::sort(scripts);
+  std::string list;
+  for (const std::string& script : scripts) list += (list.empty() ? "" : ", ") + script;
+  return messages::kNameScript + list;
+}
+
 }  // namespace
 
 std::string controllerProgram(const std::string& controller) {
@@ -132,12 +151,9 @@ std::string controllerProgram(const std::string& controller) {
     const fs::path script = path.string() + kPythonSuffix;
     if (!fs::exists(path) && fs::exists(script)) path = script;
   }
-  const fs::path built = fs::path{controller} / "build" / path.filename();
-  if (!fs::exists(path) && fs::is_directory(controller) && fs::exists(built))
-    throw std::runtime_error(messages::kNoSuchController + path.string() + messages::kBuiltIn + built.string());
   if (!fs::exists(path))
     throw std::runtime_error(messages::kNoSuchController + path.string() +
-                             (fs::is_directory(controller) ? "; build it first (make, or ./dev build)" : ""));
+                             (fs::is_directory(controller) ? inPlaceOf(path, controller) : ""));
   if (!isPythonScript(path) && access(path.c_str(), X_OK) != 0)
     throw std::runtime_error(path.string() + messages::kNotAProgram + "; name the built controller");
   // A name without a slash is a file in the current folder, not a command in PATH.

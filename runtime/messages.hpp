@@ -4,8 +4,10 @@
 namespace darwinop::runtime::messages {
 
 // controller_run.cpp
-inline constexpr const char* kNoSuchController = "there is no controller ";       // then its path
-inline constexpr const char* kBuiltIn = "; name the one that was built: ";        // then its path
+inline constexpr const char* kNoSuchController = "there is no controller ";  // then its path
+inline constexpr const char* kBuiltIn = "; name the one that was built: ";   // then its path
+inline constexpr const char* kBuildFirst = "; build it first (make, or ./dev build)";
+inline constexpr const char* kNameScript = "; name the script: ";                 // then those in the folder
 inline constexpr const char* kNotAProgram = " is not a program that may be run";  // after its path
 inline constexpr const char* kNoLoopLeft =
     "no loop is left: these joints may keep torque and their last goals: ";  // then their names

@@ -162,6 +162,16 @@ std::string refusal(const std::string& controller) {
   }
 }
 
+TEST(Run, NamesTheScriptsOfAFolderWithoutAProgram) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "my folder");
+  for (const char* name : {"nod.py", "my controller.py", "notes.txt"})
+    std::ofstream{folder / ("my folder/" + std::string{name})};
+  EXPECT_THAT(refusal(folder / "my folder"),
+              testing::EndsWith(messages::kNameScript + (folder / "my folder/my controller.py") + ", " +
+                                (folder / "my folder/nod.py")));
+}
+
 TEST(Run, SaysWhatItLookedFor) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "walk");
@@ -171,6 +181,12 @@ TEST(Run, SaysWhatItLookedFor) {
   std::filesystem::create_directory(folder / "walk/build");
   std::filesystem::create_symlink("/bin/true", folder / "walk/build/walk");
   EXPECT_THAT(refusal(folder / "walk"), testing::EndsWith(messages::kBuiltIn + (folder / "walk/build/walk")));
+  std::filesystem::create_directories(folder / "controllers/nod");
+  EXPECT_THAT(refusal(folder / "controllers/nod"), testing::EndsWith(messages::kBuildFirst));
+  const std::string built = folder / "build/release/controllers/nod/nod";
+  std::filesystem::create_directories(std::filesystem::path{built}.parent_path());
+  std::filesystem::create_symlink("/bin/true", built);
+  EXPECT_THAT(refusal(folder / "controllers/nod"), testing::EndsWith(messages::kBuiltIn + built));
   EXPECT_THAT(refusal("/etc/passwd"), StartsWith(std::string{"/etc/passwd"} + messages::kNotAProgram));
 }
 
