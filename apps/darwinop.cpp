@@ -27,7 +27,7 @@ constexpr Noun kNouns[] = {
     {"motion", "list, check, convert, play and plot motion pages"},
     {"virtual-robot", "simulate a CM-730 with 20 MX-28 on a pty"},
     {"virtual-camera", "simulate the robot's camera for one program, without a driver"},
-    {"twin", "the physics twin: view, record, list models and effects"},
+    {"twin", "the physics twin: view, film, picture, list models and effects"},
     {"demo", "the twin stands up, walks, turns and stops, in a film or a window"},
     {"gap", "compare model and logs, identify missing effects, extend the model"},
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},

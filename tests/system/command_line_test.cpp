@@ -155,6 +155,21 @@ TEST_F(CommandLine, NeitherRecordingsNorCasesAreReplaced) {
   EXPECT_THAT(refused.said, HasSubstr("mine/case.json exists"));
 }
 
+TEST_F(CommandLine, AMistypedCommandIsNamedWithThoseThatThereAre) {
+  const std::pair<const char*, const char*> mistyped[] = {
+      {"experiment rnu speed", "no command 'rnu'; there are list, show, run, plot; see darwinop experiment --help"},
+      {"twin record", "no command 'record'; there are view, picture, models, effects"},
+      {"demo run", "no command 'run'; there are walk"},
+      {"gap --json lcoate x", "no command 'lcoate'; there are check, locate, run"},
+      {"gap benchmark rnu x", "no command 'rnu'; there are run, make"},
+      {"motion", "A subcommand is required"}};
+  for (const auto& [arguments, text] : mistyped) {
+    const Outcome refused = call(arguments);
+    EXPECT_EQ(refused.status, 2) << arguments;
+    EXPECT_THAT(refused.said, HasSubstr(text));
+  }
+}
+
 TEST_F(CommandLine, GapRefusesBeforeItComputesOrAsks) {
   std::filesystem::create_directory(file("mine"));
   std::ofstream{file("mine/case.json")} << "{}";
