@@ -109,9 +109,9 @@ int main(int argc, char** argv) try {
   if (const auto code = darwinop::app::parseArguments(app, argc, argv)) return *code;
   return examine(robot, fix, json);
 } catch (const WrongPort& error) {
-  std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
+  std::fprintf(stderr, "darwinop doctor: %s\n", error.what());
   return app::kWrong;
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
+  std::fprintf(stderr, "darwinop doctor: %s\n", error.what());
   return 1;
 }

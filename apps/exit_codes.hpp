@@ -1,5 +1,5 @@
 // Exit codes of darwinop experiment, motion, demo and gap record; docs/experiments.md and docs/motion-command.md list
-// them for users. Of other programs only kWrong, for arguments.
+// them for users. Of other programs kWrong, for arguments, and kFailed.
 #pragma once
 
 namespace darwinop::app {

@@ -21,6 +21,7 @@
 #include "parse_arguments.hpp"
 #include "remote/robot/observer_pictures.hpp"
 #include "runtime/clock.hpp"
+#include "wrong_argument.hpp"
 
 namespace {
 
@@ -63,6 +64,7 @@ web::WebServerConfig webConfig(const MonitorArguments& given) {
 }
 
 int serveObservers(const MonitorArguments& given) {
+  const web::WebServerConfig config = app::fromArguments([&] { return webConfig(given); });
   connect::leaveRoot();
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
@@ -76,7 +78,7 @@ int serveObservers(const MonitorArguments& given) {
                                  sayMonitor);
                            },
                            [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); }, search};
-  web::WebServer server{webConfig(given), sayMonitor};
+  web::WebServer server{config, sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;
   while (!endRequested()) {
@@ -110,5 +112,5 @@ int main(int count, char** arguments) try {
   return serveObservers(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop monitor: " << error.what() << '\n';
-  return 1;
+  return app::exitCodeOf(error);
 }

@@ -25,6 +25,7 @@
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
 #include "webots/config_ini.hpp"
+#include "wrong_argument.hpp"
 
 namespace {
 
@@ -71,16 +72,16 @@ webots_api::ControllerConfig controllerConfig(const std::string& config) {
 }
 
 int serveRemote(const RemoteArguments& given) {
-  remote::ServerConfig config = serverConfig(given);
+  remote::ServerConfig config = app::fromArguments([&] { return serverConfig(given); });
   connect::ConnectRequest request;
   request.setting = given.robot;
-  const webots_api::ControllerConfig controller = controllerConfig(given.config);
+  const webots_api::ControllerConfig controller = app::fromArguments([&] { return controllerConfig(given.config); });
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
   request.warn = sayRemote;
-  const connect::RobotKind kind = connect::readSetting(given.robot).kind;
+  const connect::RobotKind kind = app::fromArguments([&] { return connect::readSetting(given.robot).kind; });
   if (kind == connect::RobotKind::kTcp)
-    throw std::runtime_error("--robot " + given.robot + " is already a remote-control server: connect to it directly");
+    throw app::WrongArgument("--robot " + given.robot + " is already a remote-control server: connect to it directly");
   const bool daemon = kind == connect::RobotKind::kDaemon;
   // In simulated time a client may run as many cycles per second as the machine can; no robot's CPU is affected.
   if (kind == connect::RobotKind::kVirtual || kind == connect::RobotKind::kTwin) config.pace = Nanos{0};
@@ -138,5 +139,5 @@ int main(int count, char** arguments) try {
   return serveRemote(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop remote: " << error.what() << '\n';
-  return 1;
+  return app::exitCodeOf(error);
 }

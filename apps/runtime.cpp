@@ -20,6 +20,7 @@
 #include "runtime/operator.hpp"
 #include "runtime/robot_notes.hpp"
 #include "webots/config_ini.hpp"
+#include "wrong_argument.hpp"
 
 namespace {
 
@@ -37,12 +38,12 @@ runtime::LoopConfig loopConfig(const Arguments& given, const connect::RobotFile&
   config.period =
       given.period_ms ? std::chrono::milliseconds{*given.period_ms} : robot.period.value_or(connect::kUsualPeriod);
   config.record_path = given.record;
-  config.real_time.demand = runtime::realTimeFromText(given.real_time);
+  config.real_time.demand = app::fromArguments([&] { return runtime::realTimeFromText(given.real_time); });
   safety::Config controllers;
   if (!given.config.empty()) {
     if (access(given.config.c_str(), F_OK) != 0)
-      throw std::runtime_error("cannot read " + given.config + "; specify an existing file with --config");
-    const webots_api::ConfigReading reading = webots_api::readConfig(given.config);
+      throw app::WrongArgument("cannot read " + given.config + "; specify an existing file with --config");
+    const webots_api::ConfigReading reading = app::fromArguments([&] { return webots_api::readConfig(given.config); });
     for (const std::string& warning : reading.warnings) std::cerr << warning << '\n';
     controllers = reading.config.safety;
   }
@@ -147,5 +148,5 @@ int main(int count, char** arguments) try {
   return carryOut(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop runtime: " << error.what() << '\n';
-  return 1;
+  return app::exitCodeOf(error);
 }

@@ -10,6 +10,7 @@
 #include "hal/diagnostics.hpp"
 #include "parse_arguments.hpp"
 #include "supervisor/ask.hpp"
+#include "wrong_argument.hpp"
 
 namespace {
 
@@ -32,7 +33,7 @@ int carryOut(const Arguments& given) {
   if (given.stop_controller) return supervisor::stopController(files);
   if (given.restart_controller) return supervisor::restartController(files);
   if (given.home.empty())
-    throw std::runtime_error("--home is missing; specify the installation, for example --home /opt/darwinop");
+    throw app::WrongArgument("--home is missing; specify the installation, for example --home /opt/darwinop");
   const DiagnosticsOutput never_waits;
   return supervisor::Supervisor{{std::filesystem::absolute(given.home), runtimeProgram()}}.run();
 }
@@ -60,5 +61,5 @@ int main(int count, char** arguments) try {
   return carryOut(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop supervisor: " << error.what() << '\n';
-  return 1;
+  return app::exitCodeOf(error);
 }

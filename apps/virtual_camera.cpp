@@ -27,6 +27,7 @@
 #include "hil-mocks/camera/picture_folder.hpp"
 #include "hil-mocks/camera/test_pattern.hpp"
 #include "parse_arguments.hpp"
+#include "wrong_argument.hpp"
 
 namespace {
 
@@ -74,7 +75,7 @@ void describe(CLI::App& app, Arguments& a) {
 class Studio {
  public:
   explicit Studio(const Arguments& a) : arguments_{a}, painter_{a.file} {
-    if (!a.pictures.empty()) folder_.emplace(a.pictures, a.frames_each);
+    if (!a.pictures.empty()) darwinop::app::fromArguments([&] { folder_.emplace(a.pictures, a.frames_each); });
     paint(0);
   }
 
@@ -148,7 +149,7 @@ int serve(Arguments& a) {
                                  .ends_with_us = true,  // else nothing would end it: only we forward signals to it
                                  .keeps_ignored_signals = true});
   } catch (const std::system_error& error) {
-    std::fprintf(stderr, "darwinop-virtual-camera: %s\n", error.what());
+    std::fprintf(stderr, "darwinop virtual-camera: %s\n", error.what());
     return kCannotStart;
   }
   return paintOn(studio, a, signals, &*child);
@@ -171,7 +172,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "darwinop-virtual-camera: %s\n", error.what());
-    return 1;
+    std::fprintf(stderr, "darwinop virtual-camera: %s\n", error.what());
+    return darwinop::app::exitCodeOf(error);
   }
 }

@@ -26,6 +26,7 @@
 #include "hil-mocks/torque_on_counter.hpp"
 #include "parse_arguments.hpp"
 #include "virtual_robot_report.hpp"
+#include "wrong_argument.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
 #include "virtual_robot_camera.hpp"
 #endif
@@ -71,6 +72,14 @@ void describe(CLI::App& app, Arguments& a) {
       "build/release/controllers/01_hello_head\n");
 }
 
+hil::BoardOptions boardOptions(const Arguments& a) {
+  hil::BoardOptions options;
+  if (a.fast) options.byte_time = Nanos{0};
+  for (const std::string& setting : a.servo) hil::setServo(options, setting);
+  for (const std::string& lack : a.board) hil::setBoard(options, lack);
+  return options;
+}
+
 /// `start`: the robot's time when its port opens, 0 of the script.
 std::vector<hil::InjectedFault> faultsIn(const std::string& path, Nanos start) {
   const std::optional<std::string> text = darwinop::readTextFile(path, hil::kLongestFaultScript);
@@ -112,14 +121,11 @@ int serve(const Arguments& a) {
   sigaddset(&signals, SIGUSR1);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before the first thread: only waitForEnd() receives them
 
-  hil::BoardOptions options;
-  if (a.fast) options.byte_time = Nanos{0};
-  for (const std::string& setting : a.servo) hil::setServo(options, setting);
-  for (const std::string& lack : a.board) hil::setBoard(options, lack);
+  hil::BoardOptions options = darwinop::app::fromArguments([&] { return boardOptions(a); });
   hil::PtyOptions pty;
   pty.link = a.link;
   pty.latency_timer = std::chrono::duration_cast<Nanos>(std::chrono::duration<double, std::milli>(a.latency_ms));
-  std::unique_ptr<darwinop::Body> body = makeBody(a);
+  std::unique_ptr<darwinop::Body> body = darwinop::app::fromArguments([&] { return makeBody(a); });
   const bool physics = body != nullptr;
   if (physics) {
     options.body_step = hil::kPhysicsStep;
@@ -129,7 +135,8 @@ int serve(const Arguments& a) {
   hil::VirtualRobot robot{options, a.seed, std::move(body)};
   robot.board().observe(&torque_on);
   if (physics) robot.advance(hil::kSettlesIn);
-  if (!a.faults.empty()) robot.faults().add(faultsIn(a.faults, robot.now()));
+  if (!a.faults.empty())
+    robot.faults().add(darwinop::app::fromArguments([&] { return faultsIn(a.faults, robot.now()); }));
   Nanos served{0}, lag{0};
   {
     hil::PtyHost host{robot, pty};
@@ -166,7 +173,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "darwinop-virtual-robot: %s\n", error.what());
-    return 1;
+    std::fprintf(stderr, "darwinop virtual-robot: %s\n", error.what());
+    return darwinop::app::exitCodeOf(error);
   }
 }

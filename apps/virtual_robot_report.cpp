@@ -36,7 +36,7 @@ void printJoints(hil::PtyHost& host) {
 bool warnOfLag(const hil::PtyHost& host, bool physics) {
   if (host.worstLag() < kTooLate) return false;
   std::fprintf(stderr,
-               "darwinop-virtual-robot: this machine is too slow or busy: the simulation was %.0f ms behind real time, "
+               "darwinop virtual-robot: this machine is too slow or busy: the simulation was %.0f ms behind real time, "
                "and replies were late. Close other programs%s\n",
                ms(host.worstLag()), physics ? ", or use --body plain" : "");
   return true;

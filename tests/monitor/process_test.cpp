@@ -189,7 +189,7 @@ TEST_F(MonitorProcess, ShowsSharedFramesOfADriverAndThenItsOwnCamera) {
 
 TEST_F(MonitorProcess, RequiresAllowBeforeItListensOnANetwork) {
   Program refused{{program("darwinop-monitor"), "--listen", "0.0.0.0"}, file("monitor.txt")};
-  EXPECT_EQ(refused.wait(20s), 1);
+  EXPECT_EQ(refused.wait(20s), 2);
   EXPECT_THAT(refused.output(), HasSubstr("--allow 192.168.123.0/24"));
 }
 

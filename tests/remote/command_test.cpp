@@ -118,7 +118,7 @@ TEST_F(RemoteCommand, KeepsRunningWhenItsOutputIsNotRead) {
 
 TEST_F(RemoteCommand, RequiresAllowBeforeItListensOnANetwork) {
   Program server = run({"--listen", "0.0.0.0"});
-  EXPECT_EQ(server.wait(20s), 1);
+  EXPECT_EQ(server.wait(20s), 2);
   EXPECT_THAT(server.output(), HasSubstr("--allow 192.168.123.0/24"));
 }
 

@@ -155,6 +155,20 @@ TEST_F(CommandLine, NeitherRecordingsNorCasesAreReplaced) {
   EXPECT_THAT(refused.said, HasSubstr("mine/case.json exists"));
 }
 
+TEST_F(CommandLine, ArgumentsThatCannotBeUsedEndEveryProgramWithTheSameCode) {
+  std::ofstream{file("faults.txt")} << "0 nonesuch\n";
+  for (const char* arguments :
+       {"virtual-robot --body twn", "virtual-robot --servo Nekc=wheel", "virtual-robot --board cm730",
+        "virtual-robot --faults faults.txt", "virtual-camera --pictures nosuch", "monitor --listen 0.0.0.0",
+        "remote --robot nope", "remote --config nope.ini", "remote --listen 0.0.0.0", "supervisor",
+        "runtime --config nope.ini", "runtime --realtime reqired"}) {
+    const Outcome refused = call(arguments);
+    const std::string program = std::string{arguments}.substr(0, std::string{arguments}.find(' '));
+    EXPECT_EQ(refused.status, 2) << arguments;
+    EXPECT_THAT(refused.said, HasSubstr("darwinop " + program + ": ")) << arguments;
+  }
+}
+
 TEST_F(CommandLine, AMistypedCommandIsNamedWithThoseThatThereAre) {
   const std::pair<const char*, const char*> mistyped[] = {
       {"experiment rnu speed", "no command 'rnu'; there are list, show, run, plot; see darwinop experiment --help"},

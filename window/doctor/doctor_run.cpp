@@ -23,7 +23,7 @@ std::vector<std::string> withJson(std::vector<std::string> arguments) {
 
 /// Without the program's name and line ends.
 std::string reasonIn(std::string_view text) {
-  constexpr std::string_view kName = "darwinop-doctor: ";
+  constexpr std::string_view kName = "darwinop doctor: ";
   if (text.starts_with(kName)) text.remove_prefix(kName.size());
   const std::size_t end = text.find_last_not_of("\r\n ");
   return std::string{text.substr(0, end == std::string_view::npos ? 0 : end + 1)};

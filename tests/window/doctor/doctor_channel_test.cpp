@@ -88,7 +88,7 @@ TEST_F(WindowDoctor, ANewRunForgetsTheOldDocumentAndASecondOneDoesNotStartMeanwh
 }
 
 TEST_F(WindowDoctor, WithoutADocumentThePageGetsTheReason) {
-  doctorIs("echo \"darwinop-doctor: no robot there\" >&2; exit 1\n");
+  doctorIs("echo \"darwinop doctor: no robot there\" >&2; exit 1\n");
   open({.robot = "runtime"});
   check();
   untilEnded();
