@@ -61,6 +61,7 @@ void describeRun(CLI::App& app, ExperimentRequest& a) {
   app.add_option("--period", a.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));
   app.add_flag("--yes", a.yes, "permit moving a real robot");
   app.footer(
+      "Example:\n  darwinop experiment run speed --robot virtual\n"
       "Exit code: 0 done; 1 ended by the robot, a fall, or an incomplete recording; 2 wrong file, arguments or robot: "
       "nothing moved; 3 needs --yes; 130 Ctrl-C");
 }
@@ -71,6 +72,7 @@ void describePlot(CLI::App& app, darwinop::plot::PlotOptions& options) {
   app.add_option("-o,--output", options.output, "output name without extension; default: the first log's name");
   app.add_option("--columns", options.columns, "columns to plot, with wildcards * and ?")->delimiter(',');
   app.add_option("--x", options.x, "column for the x axis; default: time");
+  app.footer("Example:\n  darwinop experiment plot twin.csv robot.csv -o compare");
 }
 #endif
 
@@ -86,6 +88,8 @@ int command(int count, char** arguments) {
   CLI::App& lists = *app.add_subcommand("list", "list the included experiments: joints, amplitudes, durations");
   CLI::App& shows = *app.add_subcommand("show", "show the steps of an experiment without moving");
   shows.add_option("EXPERIMENT", a.experiment, "name or file")->required();
+  lists.footer("Example:\n  darwinop experiment list");
+  shows.footer("Example:\n  darwinop experiment show speed");
   CLI::App& runs = *app.add_subcommand("run", "show, check and run an experiment");
   describeRun(runs, a);
 #ifdef DARWINOP_CAN_PLOT

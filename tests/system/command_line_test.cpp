@@ -58,6 +58,12 @@ TEST_F(CommandLine, CalibrateSaysBeforeItMeasuresThatItCannotWrite) {
   EXPECT_THAT(refused.said, testing::StartsWith(std::string{"darwinop calibrate: "} + kCannotWrite + "none/robot.ini"));
 }
 
+TEST_F(CommandLine, EachCommandOfExperimentHasItsOwnExample) {
+  for (const std::string command : {"list", "show", "run", "plot"})
+    EXPECT_THAT(call("experiment " + command + " --help").said,
+                HasSubstr("Example:\n  darwinop experiment " + command));
+}
+
 TEST_F(CommandLine, CtrlCDuringASweepEndsCalibrateAsStopped) {
   Program sweeping{{program("darwinop-calibrate"), "joints", "--robot", "twin", "--yes"}, file("calibrate.txt")};
   ASSERT_TRUE(sweeping.says(calibrate::messages::kSweepBegins, std::chrono::seconds{60})) << sweeping.output();
