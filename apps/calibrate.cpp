@@ -74,7 +74,7 @@ int keep(const CalibrateOptions& given, const std::string& file, const std::stri
   if (given.dry_run || file.empty()) {
     std::cout << messages::kNothingWritten << (file.empty() ? "; a twin's values go to a file that --file names" : "")
               << '\n';
-    return kExitDone;
+    return given.dry_run ? kExitDone : kExitNothing;
   }
   if (!confirmed(given, file)) {
     std::cout << messages::kNothingWritten << '\n';

@@ -58,6 +58,13 @@ TEST_F(CommandLine, CalibrateSaysBeforeItMeasuresThatItCannotWrite) {
   EXPECT_THAT(refused.said, testing::StartsWith(std::string{"darwinop calibrate: "} + kCannotWrite + "none/robot.ini"));
 }
 
+TEST_F(CommandLine, CalibrateThatHasNowhereToWriteHasWrittenNothing) {
+  const Outcome nowhere = call("calibrate imu --robot twin --yes --seconds 1");
+  EXPECT_EQ(nowhere.status, 1);
+  EXPECT_THAT(nowhere.said, HasSubstr(calibrate::messages::kNothingWritten));
+  EXPECT_EQ(call("calibrate imu --robot twin --yes --seconds 1 --dry-run").status, 0);
+}
+
 TEST_F(CommandLine, EachCommandOfExperimentHasItsOwnExample) {
   for (const std::string command : {"list", "show", "run", "plot"})
     EXPECT_THAT(call("experiment " + command + " --help").said,
