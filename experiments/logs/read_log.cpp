@@ -141,9 +141,8 @@ class Parser {
   void checkEnd() {
     log_.complete = ended_ || !log_.recording;
     if (!log_.complete)
-      log_.warnings.push_back(log_.file +
-                              " has no \"# end\": the recording program was killed or is still running; up "
-                              "to 0.1 s may be missing");
+      log_.warnings.push_back(log_.file + kNoEnd +
+                              ": the recording program was killed or is still running; up to 0.1 s may be missing");
     if (log_.lost_rows != 0)
       log_.warnings.push_back(log_.file + ": " + std::to_string(log_.lost_rows) +
                               " rows were lost while recording because the disk was too slow");

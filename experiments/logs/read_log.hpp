@@ -12,6 +12,7 @@ namespace darwinop::logs {
 /// Bytes: about two hours of a recording at 8 ms, with 1 KB per cycle.
 inline constexpr std::size_t kLongestLog = std::size_t{1} << 30;
 
+inline constexpr const char* kNoEnd = " has no \"# end\"";  // after the file
 inline constexpr const char* kTimeGoesBack = "time does not increase";
 
 /// Throws std::runtime_error, "FILE, line N: problem". Recoverable problems (truncated last row, lost rows) are stored

@@ -42,16 +42,16 @@ TEST(GapOptions, ALogInPlaceOfACaseIsRefusedWithItsFolder) {
   const Outcome refused = shell(kGap + " check " + kExample + "/fit_1.csv");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.said, testing::StartsWith("darwinop gap: CASE: " + kExample + "/fit_1.csv is a file"));
-  EXPECT_THAT(refused.said, testing::HasSubstr("did you mean " + kExample + "?"));
+  EXPECT_THAT(refused.said, testing::HasSubstr(" " + kExample + "?"));
 }
 
-TEST(GapOptions, AFileInAFolderThatIsNoCaseIsRefusedWithoutTheFolder) {
+TEST(GapOptions, AFileInAFolderThatIsNotACaseIsRefusedWithoutTheFolder) {
   const TemporaryFolder folder;
   std::ofstream{folder / "notes.txt"} << "x";
   const Outcome refused = shell(kGap + " run " + (folder / "notes.txt"));
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.said, testing::HasSubstr("is a file"));
-  EXPECT_THAT(refused.said, testing::Not(testing::HasSubstr("did you mean")));
+  EXPECT_THAT(refused.said, testing::Not(testing::HasSubstr("?")));
 }
 
 TEST(GapOptions, AFolderWithoutLogsAndAMissingOneAreRefusedByWhatTheyAre) {

@@ -40,7 +40,7 @@ TEST_F(JointCase, OfARecordingThatWasCutOffHasAWarning) {
   std::ofstream{file("cut.csv")} << text.erase(text.size() - 1000);
   const JointCaseNotes notes = writeJointCase({.recordings = {file("cut.csv")}, .held_out = {}}, file("cut"));
   ASSERT_EQ(notes.warnings.size(), 1U);
-  EXPECT_THAT(notes.warnings.front(), testing::StartsWith(file("cut.csv") + " has no \"# end\""));
+  EXPECT_THAT(notes.warnings.front(), testing::StartsWith(file("cut.csv") + logs::kNoEnd));
 }
 
 // The clock of a recording is the computer's, which may have run for days.
