@@ -37,7 +37,7 @@ TEST_F(JointCase, OfARecordingThatWasCutOffHasAWarning) {
   std::string text = recordedSwing();
   std::ofstream{file("swing.csv")} << text;
   EXPECT_TRUE(writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("whole")).warnings.empty());
-  std::ofstream{file("cut.csv")} << text.erase(text.size() - 1000);
+  std::ofstream{file("cut.csv")} << text.erase(text.find("# end"));
   const JointCaseNotes notes = writeJointCase({.recordings = {file("cut.csv")}, .held_out = {}}, file("cut"));
   ASSERT_EQ(notes.warnings.size(), 1U);
   EXPECT_THAT(notes.warnings.front(), testing::StartsWith(file("cut.csv") + logs::kNoEnd));
