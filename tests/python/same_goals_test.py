@@ -38,6 +38,7 @@ class SameGoals(Programs):
     def recorded(self, controller, robot):
         """Goals of the only session; by column, then by cycle, rad."""
         recording = self.folder / "recording.csv"
+        recording.unlink(missing_ok=True)  # --record replaces no file
         self.run_controller(controller, robot=robot, record=recording)
         session, = goals(recording)
         return session
@@ -87,6 +88,7 @@ class AgainstCpp(Programs):
     def check_same(self, python, cpp, *arguments, robot="virtual"):
         recordings = [self.folder / "python.csv", self.folder / "cpp.csv"]
         for name, recording in zip((CONTROLLERS / python, f"{CPP_CONTROLLERS}/{cpp}"), recordings):
+            recording.unlink(missing_ok=True)
             self.run_controller(str(name), *arguments, robot=robot, record=recording)
         python_rows, cpp_rows = map(movements, recordings)
         self.assertGreater(len(cpp_rows), 50)

@@ -29,6 +29,7 @@ machine() {
 record() { # BUILD CONTROLLER RECORDING ARGUMENTS...
   build=$1 controller=$2 recording=$3
   shift 3
+  rm -f "$recording"  # --record replaces no file
   "$build/bin/darwinop-run" --robot virtual --record "$recording" "$build/$controller" -- "$@" >"$work/out" 2>&1 || {
     echo "$build/$controller ended badly:"
     cat "$work/out"

@@ -184,9 +184,10 @@ TEST_F(OnTheTwin, TheExampleWalksOverThePtyInRealTimeAndStandsBehindEachBoard) {
   for (const char* const board : {"cm-730", "cm-740"}) {
     SCOPED_TRACE(board);
     const auto robot = twinOnAPort(board);
-    const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
+    const std::string log = std::string{board} + ".csv";
+    const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, log);
     EXPECT_THAT(output, testing::Not(HasSubstr("fault 30")));
-    EXPECT_GE(stepsIn(Drive{file("log.csv")}), 4) << "a step every 0.6 s";
+    EXPECT_GE(stepsIn(Drive{file(log)}), 4) << "a step every 0.6 s";
   }
 }
 
@@ -213,12 +214,12 @@ TEST_F(OnTheTwin, AFallIsReportedByTheStatusOfTheDaemon) {
 }
 
 TEST_F(OnTheTwin, AModelThatIsNotThereEndsAllProgramsWithTheSentenceThatNamesTheOthers) {
-  const std::vector<std::vector<std::string>> commands{
-      {program("darwinop-run"), "--robot", "twin:nobody", controller()},
-      {program("darwinop-virtual-robot"), "--body", "twin:nobody"}};
-  for (const auto& command : commands) {
+  const std::vector<std::pair<std::vector<std::string>, int>> commands{
+      {{program("darwinop-run"), "--robot", "twin:nobody", controller()}, 1},  // the controller's status
+      {{program("darwinop-virtual-robot"), "--body", "twin:nobody"}, 2}};
+  for (const auto& [command, status] : commands) {
     Program running{command, file("run.txt")};
-    EXPECT_EQ(running.wait(seconds{20}), 1);
+    EXPECT_EQ(running.wait(seconds{20}), status);
     EXPECT_THAT(running.output(), HasSubstr("webots-2013")) << command.front();
   }
 }
