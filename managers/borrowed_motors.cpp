@@ -65,6 +65,10 @@ darwinop::body_player::Pose BorrowedMotors::present() const {
   return presentPose(*robot_, *impl_);
 }
 
+darwinop::State BorrowedMotors::state() const {
+  return impl_->session().sensors().safety.state;
+}
+
 void BorrowedMotors::setGoals(const darwinop::body_player::WalkPlayer& player) {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     const auto joint = static_cast<Joint>(i);

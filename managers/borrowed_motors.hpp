@@ -39,6 +39,8 @@ class BorrowedMotors {
   /// Cycle of the last successful reading of the board (gyroscope).
   [[nodiscard]] std::uint64_t cycleOfReading() const;
   [[nodiscard]] darwinop::body_player::Pose present() const;
+  /// Of the safety layer.
+  [[nodiscard]] darwinop::State state() const;
   /// Goals, P gains and full speed.
   void setGoals(const darwinop::body_player::WalkPlayer& player);
   /// The robot's time at the newest image, and the period of its loop, ms.

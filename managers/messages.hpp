@@ -13,6 +13,11 @@ inline constexpr const char* kWalksWithoutBalance =
     "and call setBalanceEnable(true) before it";
 inline constexpr const char* kNoGyroscope = "balance is off: this robot has no gyroscope";
 
+// Of a walk or a page, after what it is.
+inline constexpr const char* kNotFollowed = " ends: the robot has not followed for 0.3 s";
+inline constexpr const char* kWalksAgain =
+    ". Unless stop() is called, it starts again from the robot's pose as soon as the robot follows";
+
 // Of setParameters().
 inline constexpr const char* kParametersRefused = "setParameters() changes nothing: ";
 inline constexpr const char* kNotInitialized = "the manager is not initialized";

@@ -7,6 +7,7 @@
 
 #include "DARwInOPDirectoryManager.hpp"
 #include "DARwInOPMotionManager.hpp"
+#include "managers/body_player/following.hpp"
 #include "managers/body_player/page_player.hpp"
 #include "managers/messages.hpp"
 #include "managers/motion_source.hpp"
@@ -31,6 +32,7 @@ struct DARwInOPMotionManager::Stage final : darwinop::webots_api::StepObserver {
   bool waited_for = false;      // inside playPage(), to reject calls from an overridden Robot::step()
   bool stepped = false;         // the controller calls step(); otherwise Robot::step() plays
   StepClock clock;              // of Robot::step()
+  darwinop::body_player::Following following;
 
   Stage(webots::Robot* owner, MotionPages file) : robot{owner}, pages{std::move(file)} {
     if (pages) player = std::make_unique<PagePlayer>(*pages);
@@ -52,6 +54,7 @@ struct DARwInOPMotionManager::Stage final : darwinop::webots_api::StepObserver {
   void beforeEnd() override {}
 
  private:
+  [[nodiscard]] bool waitsForRobot(const darwinop::webots_api::RobotImpl& inside, double ms);
   void setGoals(darwinop::webots_api::RobotImpl& inside);
 };
 
@@ -70,6 +73,7 @@ bool DARwInOPMotionManager::Stage::start(int page) {
   if (player->start(page, presentPose(*robot, *inside))) {
     inside->joints_taken_by = this;
     clock.restart();
+    following = {};
     return true;
   }
   warnOnce(name + (page < 1 || page > 255 ? " does not exist: pages are 1 to 255" : " is empty: nothing is played"));
@@ -85,14 +89,25 @@ bool DARwInOPMotionManager::Stage::advanceOnRobotsTime(int declared_ms) {
 
 /// Plays for `ms`. False if the page has ended and the joints have their final goals.
 bool DARwInOPMotionManager::Stage::advance(double ms) {
-  const bool moved = player->advance(std::clamp(ms, 0.0, 3'600'000.0));  // an hour is longer than any page
   darwinop::webots_api::RobotImpl* const inside = darwinop::webots_api::currentRobot();
+  if (inside && waitsForRobot(*inside, ms)) return player->isPlaying();
+  const bool moved = player->advance(std::clamp(ms, 0.0, 3'600'000.0));  // an hour is longer than any page
   if (!inside || inside->joints_taken_by != this)
     player->brake();  // the robot is gone, or another manager has taken the joints
   else if (moved)
     setGoals(*inside);
   if (!player->isPlaying()) end();
   return moved || player->isPlaying();
+}
+
+/// True while the robot does not follow. A page that waited for too long is over.
+bool DARwInOPMotionManager::Stage::waitsForRobot(const darwinop::webots_api::RobotImpl& inside, double ms) {
+  following.update(inside.session().sensors().safety.state, ms);
+  if (following.isLost()) {
+    warnOnce("MotionManager: page " + std::to_string(player->page()) + messages::kNotFollowed);
+    end();
+  }
+  return !following.isGiven();
 }
 
 void DARwInOPMotionManager::Stage::setGoals(darwinop::webots_api::RobotImpl& inside) {

@@ -50,7 +50,6 @@ void GaitWalker::prepare(webots::Robot& with, const std::string& ini) {
 /// Starts at the present joint positions.
 void GaitWalker::begin() {
   if (!walk().resting()) player.abandon();  // a motion page interrupted a step
-  clock.restart();
   player.start(motors.present());
   motors.take(player);
 }
@@ -63,9 +62,24 @@ darwinop::body_player::GyroReading GaitWalker::gyroReading() const {
 
 void GaitWalker::step(int ms) {
   if (requested && motors.areAnothers()) return;  // a motion page is playing
-  if (requested && !motors.areOurs()) begin();
-  advance(clock.advance(ms, motors.robotMs(), motors.periodMs()));
+  const bool begins = requested && !motors.areOurs();
+  if (begins) clock.restart();
+  const double passed_ms = clock.advance(ms, motors.robotMs(), motors.periodMs());
+  if (waitsForRobot(passed_ms)) return;
+  if (begins) begin();
+  advance(passed_ms);
   warnIfSlow(ms);
+}
+
+/// True while the robot does not follow. A walk that waited for too long is over; step() begins the next one.
+bool GaitWalker::waitsForRobot(double ms) {
+  following.update(motors.state(), ms);
+  if (following.isLost() && !walk().resting()) {
+    warnOfGait(std::string{"the walk"} + messages::kNotFollowed + messages::kWalksAgain);
+    player.abandon();
+    motors.giveBack();
+  }
+  return !following.isGiven();
 }
 
 void GaitWalker::advance(double ms) {

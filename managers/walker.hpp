@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "managers/body_player/following.hpp"
 #include "managers/body_player/walk_player.hpp"
 #include "managers/borrowed_motors.hpp"
 #include "managers/step_clock.hpp"
@@ -25,6 +26,7 @@ struct GaitWalker : darwinop::webots_api::StepObserver {
   darwinop::body_player::WalkPlayer player{darwinop::gait::Parameters{}};
   darwinop::gait::WalkCommand command;
   StepClock clock;
+  darwinop::body_player::Following following;
   bool balance = true;
   bool requested = false;  // between start() and stop()
   bool stopping = false;   // inside stop(), to reject calls from an overridden Robot::step()
@@ -65,6 +67,7 @@ struct GaitWalker : darwinop::webots_api::StepObserver {
   void beforeEnd() override { finish(); }
 
  private:
+  [[nodiscard]] bool waitsForRobot(double ms);
   void begin();
   void advance(double ms);
   void warnIfSlow(int ms);

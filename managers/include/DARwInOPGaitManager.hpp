@@ -22,7 +22,9 @@ namespace managers {
 /// Sets goals, speed limits and P gains of joints 1 to 18 (all but the head) from start() until stop() has returned,
 /// and at no other time. Goals never exceed 12.26 rad/s or the joint ranges, and pass through the safety layer. One
 /// object walks at a time; while a motion page is played it has the joints, and the walk restarts from the stance
-/// afterwards.
+/// afterwards. While the robot does not follow, as with a silent board or a lost connection, the walk waits. After
+/// 0.3 s it is over, with one message; once the robot follows, it restarts from the robot's pose unless stop() was
+/// called.
 ///
 /// A session that ends during a walk, by Ctrl-C, exit(), an exception or the end of main(), finishes its steps first,
 /// in 2.2 s at most by default, so that the robot kneels from both feet; so does the destructor. `kill -9` cannot.
@@ -105,7 +107,7 @@ class DARwInOPGaitManager {
   void step(int ms);
   /// Finishes the current steps and returns when the robot stands in its stance. Until then it calls Robot::step() with
   /// the basic time step: 1.5 gait periods at most (0.9 s by default), or the rest of the way to the stance. Returns at
-  /// once when Robot::step() returns -1.
+  /// once when Robot::step() returns -1, and in any pose when the robot has not followed for 0.3 s.
   void stop();
 
  private:

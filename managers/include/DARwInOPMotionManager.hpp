@@ -19,7 +19,8 @@ namespace managers {
 ///
 /// While a page is played, it sets goals and P gains of all 20 joints, through the safety layer as any other goal. It
 /// starts from the robot's current goals, so that goals do not jump. When it has ended the goals stay, and the P gains
-/// are those of the controller again.
+/// are those of the controller again. While the robot does not follow, as with a silent board, a page waits. After
+/// 0.3 s it ends there, with one message: isMotionPlaying() is false, and playPage() returns.
 ///
 /// Simulator and 2013: the same timing of pages; 2013 ignored customMotionFile and did not approach a first pose
 /// slowly. Errors are logged once on stderr, nothing is thrown. Threads: all calls from the thread of the Robot.

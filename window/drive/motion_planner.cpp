@@ -11,10 +11,9 @@
 namespace darwinop::window {
 namespace {
 
-constexpr double kDefaultGain = 4;          // Kp
-constexpr double kMaxStepMs = 500;          // ms between two calls; the lease is lost after more
-constexpr double kMaxNotFollowingMs = 300;  // ms without following; after that the robot may be far from its goals
-constexpr std::uint32_t kStaleAge = 4;      // cycles
+constexpr double kDefaultGain = 4;                 // Kp
+constexpr double kMaxStepMs = 500;                 // ms between two calls; the lease is lost after more
+constexpr std::uint32_t kStaleAge = 4;             // cycles
 constexpr std::array<int, 2> kGetUpPages{10, 11};  // from lying on the front, on the back
 
 body_player::Pose poseOf(const Sensors& seen) {
@@ -51,7 +50,7 @@ const Commands& MotionPlanner::plan(DriveRequests requests, const Sensors& seen,
                       (requests.walk && !status_.walks);
   if (is_new) status_.refused.clear();
   applyRequests(requests, seen, ms);
-  const double followed_ms = not_following_ms_ <= 0 ? std::clamp(ms, 0.0, kMaxStepMs) : 0;
+  const double followed_ms = following_.isGiven() ? std::clamp(ms, 0.0, kMaxStepMs) : 0;
   switchTorque(requests, seen);
   const bool begins_page = requests.page != 0 && beginPage(requests.page, seen);
   const bool begins_walk = requests.walk && !page_.isPlaying() && beginWalk(seen);
@@ -67,9 +66,9 @@ const Commands& MotionPlanner::plan(DriveRequests requests, const Sensors& seen,
 /// Rejects motions that the robot cannot follow, and aborts those it has not followed for a while: they would continue
 /// far from the robot's pose.
 void MotionPlanner::applyRequests(DriveRequests& requests, const Sensors& seen, double ms) {
-  const bool follows = seen.safety.state == State::kDriven, fell = hasFallen(seen.safety);
-  not_following_ms_ = follows ? 0 : not_following_ms_ + std::max(ms, 1.0);
-  if (not_following_ms_ > kMaxNotFollowingMs && !atRest()) abortMotion(messages::kMotionAborted);
+  following_.update(seen.safety.state, ms);
+  const bool follows = following_.isGiven(), fell = hasFallen(seen.safety);
+  if (following_.isLost() && !atRest()) abortMotion(messages::kMotionAborted);
   if (fell && walks()) abortMotion("the robot has fallen");
   if (requests.walk && !follows && !walks()) requests.walk.reset();  // starts as soon as it follows
   if (requests.walk && (fell || page_.isPlaying())) {

@@ -3,6 +3,7 @@
 
 #include "core/commands.hpp"
 #include "core/sensors.hpp"
+#include "managers/body_player/following.hpp"
 #include "managers/body_player/page_player.hpp"
 #include "managers/body_player/walk_player.hpp"
 #include "window/drive/drive_interface.hpp"
@@ -40,8 +41,8 @@ class MotionPlanner {
 
   body_player::PagePlayer page_;
   body_player::WalkPlayer walk_{gait::Parameters{}};
-  double not_following_ms_ = 0;  // time that the robot has not followed
-  bool walk_blocked_ = false;    // until the walk request is withdrawn
+  body_player::Following following_;
+  bool walk_blocked_ = false;  // until the walk request is withdrawn
   DriveStatus status_{};
   Commands commands_{};  // of this cycle
 };
