@@ -35,7 +35,7 @@ void LinkPort::startSession(SessionStart start) {
   const bool again = start == SessionStart::kResumed;
   if (home_ == Home::kDaemon) session_.emplace(connect_());
   session_->start();
-  had_session_ = true;
+  is_commanded_ = false;
   end_request_.clear();
   if (!again) clearCommands();
   commands_.start_where_it_is = again || start_where_it_is_;
@@ -64,6 +64,7 @@ void LinkPort::apply(const Request& request) {
     commands_.unattended |= request.extension.unattended;
   }
   session_->publish(commands_);
+  is_commanded_ = true;
   if (session_->link().realTime()) return;
   if (request.extended)
     simulateUntil(request.extension.until_cycle);
@@ -127,21 +128,26 @@ std::string LinkPort::endReason() {
 }
 
 void LinkPort::hold() noexcept {
+  // Without commands, and in the cycle of the first ones, images still have the number of an earlier session.
+  const Sensors seen = session_->sensors();
+  if (is_commanded_) held_session_ = seen.cycle >= session_->firstCycle() ? seen.safety.session : 0;
   session_->hold(commands_);
   if (home_ == Home::kDaemon) session_.reset();
 }
 
 void LinkPort::endAbandonedSession() noexcept try {
-  if (home_ == Home::kEmbedded || !had_session_ || session_)
+  if (home_ == Home::kEmbedded || held_session_ == 0 || session_)
     return;  // a client that drives: the link's destructor ends the session
   session_.emplace(connect_());
   session_->start();
   // The client's last commands may not be in the image yet.
   if (!session_->waitForCycle(session_->firstCycle())) return session_.reset();
-  const State state = session_->sensors().safety.state;
+  const SafetyReport report = session_->sensors().safety;
   commands_.start_where_it_is = commands_.unattended = true;
-  const bool at_rest = !drives(state) || state == State::kKneeling;
-  if (!at_rest) session_->publish(commands_);  // without commands the session does not start, so it does not end either
+  const bool at_rest = !drives(report.state) || report.state == State::kKneeling;
+  const bool is_ours = report.session == held_session_;  // otherwise another program left the robot as it is
+  // Without commands the session does not start, so it does not end either.
+  if (is_ours && !at_rest) session_->publish(commands_);
   session_.reset();
 } catch (const std::exception&) {
   return;  // another process drives, or no loop runs
@@ -149,6 +155,7 @@ void LinkPort::endAbandonedSession() noexcept try {
 
 void LinkPort::endSession() noexcept {
   session_->end(commands_);
+  held_session_ = 0;
   if (home_ == Home::kDaemon) session_.reset();  // the link's destructor ends the session once more
 }
 

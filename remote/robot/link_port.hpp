@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,8 +46,8 @@ class LinkPort final : public RobotPort {
   void endSession() noexcept override;
   [[nodiscard]] bool realTime() const override { return session_->link().realTime(); }
 
-  /// For the end of the program: ends the session of a client that has disconnected without ending it. Otherwise the
-  /// robot would hold for gone_s before on_exit applies.
+  /// For the end of the program: ends the session of a client that has disconnected without ending it, if it is the
+  /// robot's last one. Otherwise the robot would hold for gone_s before on_exit applies.
   void endAbandonedSession() noexcept;
 
   /// Opens the robot's camera in this pixel format. Throws std::runtime_error if there is none.
@@ -65,7 +66,9 @@ class LinkPort final : public RobotPort {
 
   Home home_;
   Connect connect_;
-  bool start_where_it_is_, had_session_ = false;
+  bool start_where_it_is_;
+  bool is_commanded_ = false;       // in this session
+  std::uint32_t held_session_ = 0;  // of the last client that has left the robot holding; 0: none
   runtime::MonotonicClock clock_;
   std::optional<runtime::DriverSession> session_;
   std::vector<goals::MotorControl> motors_;  // by joint

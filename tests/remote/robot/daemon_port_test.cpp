@@ -92,6 +92,34 @@ TEST_F(RemoteDaemonPort, EndsTheSessionOfADisconnectedClientAtTheEnd) {
   EXPECT_EQ(seen().safety.state, State::kKneeling) << "before it would be given up after 10 s";
 }
 
+TEST_F(RemoteDaemonPort, LeavesARobotAloneThatAnotherProgramLeftHolding) {
+  port_.startSession(SessionStart::kNew);
+  obeyUntil(neckTo(0.1), [this] { return seen().safety.state == State::kDriven; });
+  port_.hold();
+  {
+    runtime::DriverSession other{std::make_unique<runtime::DaemonLink>(files_)};
+    other.start();
+    Commands commands;
+    commands.start_where_it_is = true;
+    const std::uint32_t before = seen().safety.session;
+    for (int i = 0; i < 2500 && !(other.drives(seen()) && seen().safety.session != before); ++i) {
+      other.publish(commands);
+      std::this_thread::sleep_for(2ms);
+    }
+    other.hold(commands);
+  }
+  for (int i = 0; i < 2500 && seen().safety.state != State::kHolding; ++i) std::this_thread::sleep_for(2ms);
+  const std::uint32_t session = observer_.block().session.load();
+  port_.endAbandonedSession();
+  port_.startSession(SessionStart::kNew);  // a client that is refused
+  port_.cancelSession();
+  port_.endAbandonedSession();
+  const std::uint64_t after = seen().cycle + 10;
+  while (seen().cycle < after) std::this_thread::sleep_for(2ms);
+  EXPECT_EQ(seen().safety.state, State::kHolding);
+  EXPECT_EQ(observer_.block().session.load(), session);
+}
+
 TEST_F(RemoteDaemonPort, ACancelledSessionLeavesTheRobotLimp) {
   while (seen().safety.state != State::kLimp) std::this_thread::sleep_for(2ms);
   port_.startSession(SessionStart::kNew);
