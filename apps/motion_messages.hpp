@@ -4,6 +4,7 @@
 namespace darwinop::motion {
 
 inline constexpr const char* kReady = "the robot is ready; Ctrl-C ends it";
+inline constexpr const char* kLeadIn = "; lead-in of ";
 inline constexpr const char* kRepeatsForever = ", then repeats until stopped";
 inline constexpr const char* kStoppedOnRequest = "stopped on request\n";
 

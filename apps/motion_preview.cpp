@@ -26,7 +26,7 @@ struct FarJoint {
 std::string wayText(const FarJoint& far, bool is_led) {
   std::string text = "its first pose is " + text::fixedText(far.way / kRadPerDegree, 1) + " degrees away";
   if (far.way > 0) text += " (" + std::string{kJointTable.at(far.joint).name} + ")";
-  if (is_led) text += "; lead-in of " + text::fixedText(goals::LeadIn::durationMs(far.way) / 1000, 1) + " s";
+  if (is_led) text += kLeadIn + text::fixedText(goals::LeadIn::durationMs(far.way) / 1000, 1) + " s";
   return text;
 }
 
@@ -68,7 +68,7 @@ std::string previewOf(const webots_api::MotionText& motion, const std::string& f
   FarJoint far;
   for (const webots_api::MotionCurve& curve : motion.curves) {
     const auto joint = findJoint(curve.motor);
-    const auto first = curve.at(0);
+    const auto first = curve.atOrFirst(0);
     if (!joint || !first) continue;
     const double way = std::abs(*first - radFromTicks(row(*joint).start).value);
     if (way > far.way) far = {index(*joint), way};

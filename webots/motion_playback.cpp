@@ -101,13 +101,18 @@ void MotionPlayback::goOn(Nanos passed) {
   time_ = std::clamp<Nanos>(time_ + (reverse_ ? -passed : passed), Nanos{0}, duration());
 }
 
-/// Done at once if all motors are near their values at the present playback time. Motors without a value are not moved.
+/// Value at the present playback time, or the first one later: without it the motor would jump there. Empty: none.
+std::optional<double> MotionPlayback::leadInTarget(const MotionCurve& curve) const {
+  return reverse_ ? curve.at(inMs(time_)) : curve.atOrFirst(inMs(time_));
+}
+
+/// Done at once if all motors are near. Motors without a value are not moved.
 goals::LeadIn MotionPlayback::leadIn(const RobotImpl& robot) const {
   goals::LeadIn::Pose from{}, to{};
   double way = 0;
   for (const MotionCurve& curve : text_.curves) {
     const auto joint = findJoint(curve.motor);
-    const auto rad = curve.at(inMs(time_));
+    const auto rad = leadInTarget(curve);
     const auto* const motor = joint ? dynamic_cast<const webots::Motor*>(robot.find(curve.motor)) : nullptr;
     if (!motor || !rad) continue;
     const std::size_t i = index(*joint);
@@ -120,7 +125,7 @@ goals::LeadIn MotionPlayback::leadIn(const RobotImpl& robot) const {
 
 void MotionPlayback::setMotors(RobotImpl& robot) const {
   for (const MotionCurve& curve : text_.curves) {
-    const auto rad = curve.at(inMs(time_));
+    const auto rad = isLeading() ? leadInTarget(curve) : curve.at(inMs(time_));
     auto* const motor = rad ? dynamic_cast<webots::Motor*>(robot.find(curve.motor)) : nullptr;
     if (motor) motor->setPosition(isLeading() ? lead_in_.at(index(*findJoint(curve.motor))) : *rad);
   }

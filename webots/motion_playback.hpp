@@ -41,7 +41,7 @@ class MotionPlayback {
   [[nodiscard]] Nanos time() const { return time_; }
   [[nodiscard]] bool isOver() const { return !valid_ || (!loop_ && isAtEnd() && !isLeading()); }
 
-  /// Maximum distance of a motor from its first value without a slow move there, rad: 5.7 degrees.
+  /// Maximum distance of a motor from its first value, at any time, without a slow move there, rad: 5.7 degrees.
   static constexpr double kNear = 0.1;
 
   /// Called at the start of each step. The first call after play() sets the pose of the present playback time; each
@@ -54,6 +54,7 @@ class MotionPlayback {
   [[nodiscard]] bool isAtEnd() const { return time_ == (reverse_ ? Nanos{0} : Nanos{duration()}); }
   [[nodiscard]] bool isLeading() const { return playing_ && !lead_in_.done(); }
   [[nodiscard]] goals::LeadIn leadIn(const RobotImpl& robot) const;
+  [[nodiscard]] std::optional<double> leadInTarget(const MotionCurve& curve) const;
   void begin();
   void goOn(Nanos passed);
   void setMotors(RobotImpl& robot) const;

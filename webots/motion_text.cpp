@@ -89,6 +89,11 @@ void readPose(const std::vector<std::string_view>& fields, MotionText& motion) {
 
 }  // namespace
 
+std::optional<double> MotionCurve::atOrFirst(double ms) const {
+  if (keys.empty()) return std::nullopt;
+  return at(std::max<double>(ms, keys.front().ms));
+}
+
 std::optional<double> MotionCurve::at(double ms) const {
   const auto after = std::ranges::upper_bound(keys, ms, {}, &MotionKey::ms);
   if (after == keys.begin()) return std::nullopt;

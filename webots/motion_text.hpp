@@ -20,6 +20,8 @@ struct MotionCurve {
 
   /// Linear between two keys, constant after the last one; empty before the first.
   [[nodiscard]] std::optional<double> at(double ms) const;
+  /// As at(); before the first key its value. Empty without keys.
+  [[nodiscard]] std::optional<double> atOrFirst(double ms) const;
 };
 
 struct MotionText {

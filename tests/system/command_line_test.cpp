@@ -12,6 +12,7 @@
 #include "apps/calibrate/messages.hpp"
 #include "hal/replace_file.hpp"
 #include "hil-mocks/link_owner.hpp"
+#include "motion_messages.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/messages.hpp"
 #include "runtime/names.hpp"
@@ -103,6 +104,13 @@ TEST_F(CommandLine, AWindowSaysThatItsControllerOrRuntimeIsNotThere) {
 
 TEST_F(CommandLine, AWrongArgumentIsReportedWithTheCommandThatExplainsIt) {
   EXPECT_THAT(call("motion play own 9 --peroid 8").said, HasSubstr("darwinop motion play --help"));
+}
+
+TEST_F(CommandLine, ThePreviewOfAMotionCountsFirstValuesInLaterPoses) {
+  std::ofstream{file("late.motion")} << "#WEBOTS_MOTION,V1.0,Neck,ShoulderL\n00:00:000,A,0,*\n00:01:000,B,0,-1\n";
+  const Outcome asked = call("motion play late.motion --robot /dev/null");
+  EXPECT_NE(asked.status, 0) << "it needs --yes";
+  EXPECT_THAT(asked.said, AllOf(HasSubstr("(ShoulderL)"), HasSubstr(motion::kLeadIn)));
 }
 
 TEST_F(CommandLine, EveryGapCommandHasAnExampleOfItself) {
