@@ -11,7 +11,6 @@
 namespace darwinop::window {
 namespace {
 
-constexpr double kDefaultGain = 4;                 // Kp
 constexpr double kMaxStepMs = 500;                 // ms between two calls; the lease is lost after more
 constexpr std::uint32_t kStaleAge = 4;             // cycles
 constexpr std::array<int, 2> kGetUpPages{10, 11};  // from lying on the front, on the back
@@ -39,10 +38,11 @@ void MotionPlanner::setGoal(std::size_t joint, double rad, double speed) {
 }
 
 void MotionPlanner::resetGains() {
-  for (JointCommand& joint : commands_.joint) joint.setPGain(kDefaultGain);
+  for (JointCommand& joint : commands_.joint) joint.setPGain(default_gain_);
 }
 
 const Commands& MotionPlanner::plan(DriveRequests requests, const Sensors& seen, double ms) {
+  if (const auto gain = static_cast<double>(seen.safety.default_p_gain); std::isfinite(gain)) default_gain_ = gain;
   if (!requests.walk) walk_blocked_ = false;
   if (walk_blocked_) requests.walk.reset();
   const bool is_new = requests.page != 0 ||

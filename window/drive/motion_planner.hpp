@@ -42,6 +42,7 @@ class MotionPlanner {
   body_player::PagePlayer page_;
   body_player::WalkPlayer walk_{gait::Parameters{}};
   body_player::Following following_;
+  double default_gain_ = 4;    // Kp of a joint that no motion moves; until the robot reports its own
   bool walk_blocked_ = false;  // until the walk request is withdrawn
   DriveStatus status_{};
   Commands commands_{};  // of this cycle

@@ -101,6 +101,13 @@ TEST_F(WindowMotionPlanner, WalksWhileRequestedThenStandsWithDefaultGains) {
   for (const JointCommand& joint : commands_.joint) EXPECT_EQ(joint.p_gain, 4);
 }
 
+TEST_F(WindowMotionPlanner, TheRobotsDefaultGainIsBackAfterAPage) {
+  seen_.safety.default_p_gain = 2;
+  (void)turn(pageOf(motion::findPage(motion::ownPages(), "hello")));
+  for (int i = 0; i < 2000 && planner_.status().page != 0; ++i) (void)turn();
+  for (const JointCommand& joint : commands_.joint) EXPECT_EQ(joint.p_gain, 2);
+}
+
 TEST_F(WindowMotionPlanner, MovesSlowlyToTheStanceBeforeItWalks) {
   for (std::size_t i = 0; i < kJoints; ++i) put(i, radFromTicks(kJointTable[i].start).value);
   for (int i = 0; i < 100; ++i) (void)turn(forwards());
