@@ -3,35 +3,27 @@
 
 #include <unistd.h>
 
-#include <DARwInOPMotionManager.hpp>
 #include <cstdlib>
 #include <iostream>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <webots/utils/Motion.hpp>
 
 #include "connect/setting.hpp"
-#include "core/text/number_text.hpp"
 #include "exit_codes.hpp"
 #include "experiments/run/hardware.hpp"
 #include "experiments/run/recorded.hpp"
-#include "managers/motion_watch/motion_watch.hpp"
-#include "managers/motion_watch/posture.hpp"
 #include "motion_messages.hpp"
 #include "motion_own.hpp"
 #include "motion_preview.hpp"
+#include "motion_stage.hpp"
 #include "runtime/recording_file.hpp"
-#include "webots/robot_impl.hpp"
+#include "webots/motion_text.hpp"
 #include "webots/stop_signals.hpp"
 #include "webots/tool_robot.hpp"
 
 namespace darwinop::motion {
 
 namespace {
-
-constexpr double kSettle = 1.0;  // s after the last goal, for the body to settle
 
 bool isMotionFile(const std::string& file) {
   if (file == kOwn) return false;
@@ -69,59 +61,10 @@ bool agreed(const PlayRequest& request) {
   return false;
 }
 
-/// A robot that plays movements in sequence.
-class Stage {
- public:
-  /// Returns false if the robot or the user has ended it.
-  bool page(const std::string& file, int number) {
-    if (!manager_) manager_ = std::make_unique<managers::DARwInOPMotionManager>(&robot_, file);
-    manager_->playPage(number, false);
-    if (!manager_->isMotionPlaying()) return false;  // already reported
-    while (manager_->isMotionPlaying()) {
-      manager_->step(step_ms_);
-      if (!step()) return false;
-    }
-    return true;
-  }
-  bool motion(const std::string& file) {
-    webots::Motion motion{file};
-    motion.play();
-    do
-      if (!step()) return false;
-    while (!motion.isOver());
-    return true;
-  }
-  bool waitUntilSettled() {
-    for (const double end = robot_.getTime() + kSettle; robot_.getTime() < end;)
-      if (!step()) return false;
-    return true;
-  }
-
-  void printSummary(double seconds) const {
-    std::cout << "played for " << text::fixedText(seconds, 1) << " s; greatest distance from the goal, greatest load:\n"
-              << watch_.jointsText() << watch_.faultsText() << "the robot " << textOf(postureOf(sensors()))
-              << std::endl;
-  }
-  [[nodiscard]] double seconds() const { return robot_.getTime() - began_; }
-
- private:
-  bool step() {
-    if (robot_.step(step_ms_) == -1) return false;
-    watch_.update(sensors(), seconds());
-    return true;
-  }
-  static const Sensors& sensors() { return webots_api::currentRobot()->session().sensors(); }
-
-  webots_api::ToolRobot robot_;
-  const int step_ms_ = static_cast<int>(robot_.getBasicTimeStep());
-  const double began_ = robot_.getTime();
-  std::unique_ptr<managers::DARwInOPMotionManager> manager_;
-  MotionWatch watch_;
-};
-
 /// False if the robot or the user has ended it. On return the robot is at rest and the recording complete.
 bool playAll(const PlayRequest& request, bool is_motion) {
-  Stage stage;
+  webots_api::ToolRobot robot;
+  PlayStage stage{robot};
   std::cout << kReady << std::endl;
   bool whole = true;
   if (is_motion) whole = stage.motion(request.file);

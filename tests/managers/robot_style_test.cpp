@@ -6,6 +6,7 @@
 #include <webots/Motor.hpp>
 
 #include "motion_rig.hpp"
+#include "motion_stage.hpp"
 
 namespace darwinop::webots_api {
 namespace {
@@ -76,6 +77,18 @@ TEST_F(RobotStyle, APageThatIsWaitedForTakesTheRobotsTimeInASlowLoop) {
   const Nanos begun = fake.now;
   manager.playPage(1);
   EXPECT_NEAR(static_cast<double>((fake.now - begun).count()) * 1e-9, 258 * 0.008, 0.15);
+}
+
+TEST_F(RobotStyle, APageOfMotionPlayTakesTheRobotsTimeInASlowLoop) {
+  pages_[1].step[0].time = 255;  // 2 s
+  write();
+  end();
+  SlowRobot robot{makeImpl(), fake};
+  motion::PlayStage stage{robot};
+  EXPECT_TRUE(stage.page(path_, 1));
+  EXPECT_NEAR(stage.seconds(), 258 * 0.008, 0.15);
+  fake.image.safety.state = State::kOffline;
+  EXPECT_FALSE(stage.page(path_, 1)) << "not followed";
 }
 
 TEST_F(RobotStyle, APageTakesTheRobotsTimeInASlowLoop) {
