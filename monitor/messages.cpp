@@ -98,7 +98,7 @@ Json boardOf(const BoardSensors& board) {
   text["microphone"] = known(rounded(board.microphone_left));
   text["led"]["panel"] = known(board.led_panel);
   text["led"]["head"] = known(colourText(board.led_head));
-  text["led"]["camera"] = known(colourText(board.led_eye));
+  text["led"]["eye"] = known(colourText(board.led_eye));
   return text;
 }
 

@@ -107,7 +107,9 @@ Sensors standing() {
   seen.board.gyro = {RadPerSec{0}, RadPerSec{0}, RadPerSec{0}};
   seen.board.buttons = 2;
   seen.board.voltage = Volt{12.1};
+  seen.board.led_panel = 5;
   seen.board.led_head = 31;
+  seen.board.led_eye = 31 << 10;
   return seen;
 }
 
@@ -130,7 +132,7 @@ TEST(MonitorState, ReportsKnownValuesAndNullForUnknownOnes) {
   EXPECT_EQ(board["accelerometer_count"], (Json{512, 512, 640}));
   EXPECT_EQ(board["start_button"], true);
   EXPECT_EQ(board["mode_button"], false);
-  EXPECT_EQ(board["led"]["head"], "#ff0000");
+  EXPECT_EQ(board["led"], (Json{{"panel", 5}, {"head", "#ff0000"}, {"eye", "#0000ff"}}));
   EXPECT_TRUE(board["microphone"].is_null());
 }
 
