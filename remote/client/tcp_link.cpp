@@ -7,6 +7,8 @@
 
 #include "core/text/printable.hpp"
 #include "hal/net/names/resolve.hpp"
+#include "remote/client/image_age.hpp"
+#include "remote/client/image_bounds.hpp"
 #include "remote/client/legacy_sensors.hpp"
 #include "remote/client/messages.hpp"
 
@@ -15,23 +17,7 @@ namespace {
 
 constexpr Nanos kStopCheck{50'000'000};   // interval at which the stop flag is checked
 constexpr Nanos kLateReply{100'000'000};  // after the end of a step: then the step ends with aged values
-constexpr Nanos kLongestPeriod{1'000'000'000};
-
-void age(Freshness& freshness, std::uint64_t cycles) {
-  if (freshness.ever())
-    freshness.age = static_cast<std::uint32_t>(std::min<std::uint64_t>(freshness.age + cycles, Freshness::kNever - 1));
-}
-
-/// Ages an image by a number of cycles without a new image.
-void ageImage(Sensors& image, std::uint64_t cycles, Nanos period) {
-  image.cycle += cycles;
-  image.time_ns += static_cast<std::int64_t>(cycles) * period.count();
-  for (JointSensors& joint : image.joint) {
-    age(joint.motion, cycles);
-    age(joint.polled, cycles);
-  }
-  age(image.board.motion, cycles);
-}
+constexpr Nanos kShortestPeriod{1'000'000}, kLongestPeriod{1'000'000'000};
 
 }  // namespace
 
@@ -119,17 +105,23 @@ void TcpLink::take(const Reply& reply) {
     return connection_.close("");
   } else if (reply.extension->seen != nullptr) {
     end_request_ = why;
-    takeImage(*reply.extension, before);
+    if (!takeImage(*reply.extension, before)) {
+      state_ = before;
+      return connection_.close(messages::kInvalidReply);
+    }
   }
   if (last_request_.for_picture) pictures_.take(reply, now());
   if (server_.real_time) checkSpeed(reply);
   if (before == TcpState::kLost && loss_.isLogged()) log(name() + messages::kConnectedAgain);
 }
 
-void TcpLink::takeImage(const ReplyExtension& extension, TcpState before) {
+/// False, and no image is taken, if its numbers are those of no loop.
+bool TcpLink::takeImage(const ReplyExtension& extension, TcpState before) {
   server_.real_time = extension.real_time;
   Sensors seen = *extension.seen;
-  if (const Nanos period{seen.period_ns}; period > Nanos{0} && period <= kLongestPeriod) server_.period = period;
+  if (!isInBounds(seen)) return false;
+  if (const Nanos period{seen.period_ns}; period >= kShortestPeriod && period <= kLongestPeriod)
+    server_.period = period;
   if (before == TcpState::kLost) {  // possibly a restarted loop: map its cycle numbers behind the last one returned
     ageShownImage();
     cycle_ahead_ = shown_.cycle + 1 - seen.cycle;
@@ -137,6 +129,7 @@ void TcpLink::takeImage(const ReplyExtension& extension, TcpState before) {
   }
   seen.cycle += cycle_ahead_;
   seen.time_ns += time_ahead_ns_;
+  if (!isInBounds(seen) || (isConnected(before) && !isJumpInBounds(image_, seen))) return false;
   if (isConnected(before))
     ageImage(seen, cyclesOnTheWay(seen.cycle, Nanos{std::int64_t{extension.held_us} * 1000}), server_.period);
   // Cycle numbers never decrease. A loop that stood still stays behind by that many cycles from now on.
@@ -147,6 +140,7 @@ void TcpLink::takeImage(const ReplyExtension& extension, TcpState before) {
   shown_ = image_;
   was_driven_ = was_driven_ || std::ranges::any_of(image_.joint, &JointSensors::driven);
   faults_.update(image_);
+  return true;
 }
 
 /// Age of a reply that was buffered, for example while the controller was stopped, in cycles. Delays within the grace

@@ -76,7 +76,7 @@ class TcpLink final : public runtime::RobotLink {
   void send(std::uint64_t cycle);
   void receive(Nanos longest);
   void take(const Reply& reply);
-  void takeImage(const ReplyExtension& extension, TcpState before);
+  [[nodiscard]] bool takeImage(const ReplyExtension& extension, TcpState before);
   void takeLegacy(const Reply& reply, TcpState before);
   void checkSpeed(const Reply& reply);
   void reconnect();

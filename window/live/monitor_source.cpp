@@ -82,6 +82,14 @@ std::optional<Sensors> sensorsOfState(std::string_view message, double period_s)
   return out;
 }
 
+std::optional<double> periodOfHello(std::string_view message) {
+  constexpr double kShortest = 0.001, kLongest = 1;  // s; a shorter one would need windows of any size
+  const json hello = parsed(message);
+  if (!hello.is_object() || member(hello, "type") != "hello") return std::nullopt;
+  const double period_s = numberOf(member(hello, "period"));
+  return period_s >= kShortest && period_s <= kLongest ? std::optional{period_s} : std::nullopt;
+}
+
 MonitorSource::MonitorSource(net::Ipv4 address, std::uint16_t port, std::string name)
     : name_{std::move(name)},
       reason_{messages::kNoMonitor + name_},
@@ -118,10 +126,8 @@ void MonitorSource::received(std::string_view message) {
   }
   const json other = parsed(message);
   if (!other.is_object()) return;
-  constexpr double kLongestPeriod = 1;  // s
-  if (member(other, "type") == "hello") {
-    const double period = numberOf(member(other, "period"));
-    if (period > 0 && period <= kLongestPeriod) period_s_ = period;
+  if (const std::optional<double> period_s = periodOfHello(message)) {
+    period_s_ = *period_s;
   } else if (member(other, "type") == "gone" && member(other, "reason").is_string()) {
     reason_ = member(other, "reason").get<std::string>();
   }

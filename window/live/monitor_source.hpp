@@ -15,6 +15,9 @@ namespace darwinop::window {
 /// `period_s`: of "hello".
 std::optional<Sensors> sensorsOfState(std::string_view message, double period_s);
 
+/// s, of the robot's loop; empty: another message, or a period that no loop has.
+std::optional<double> periodOfHello(std::string_view message);
+
 class MonitorSource final : public CycleSource {
  public:
   /// `name`: of the monitor, for messages: "192.168.123.1:5024".

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,6 +23,7 @@ struct ScriptedRobot {
   bool delay_is_held = false;          // its loop stands still during the delay
   std::uint64_t first_cycle = 1000;
   std::string must_end, end_request;
+  std::function<void(Sensors& seen)> distort;
   std::vector<std::uint8_t> jpeg;
 
   Answer operator()(const Request& request, int connection) {
@@ -53,6 +55,7 @@ struct ScriptedRobot {
       seen.joint[i].position = Rad{0.25};
       seen.joint[i].driven = !takes_over;
     }
+    if (distort) distort(seen);
     Reply reply;
     for (std::size_t i = 0; i < request.positions.size(); ++i) (void)reply.positions.add(2500);
     for (std::size_t i = 0; i < request.torques.size(); ++i) (void)reply.torques.add(-12500);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 
 #include "remote/client/messages.hpp"
@@ -210,6 +211,49 @@ TEST_F(TcpLinkTest, ReportsAServerOfAnotherProtocol) {
     ADD_FAILURE() << "that is no server";
   } catch (const std::runtime_error& refused) {
     EXPECT_THAT(refused.what(), HasSubstr(messages::kInvalidReply));
+  }
+}
+
+TEST_F(TcpLinkTest, RefusesCyclesAndTimesThatNoLoopHas) {
+  using Distortion = void (*)(Sensors & seen);
+  for (const Distortion distort :
+       {Distortion{[](Sensors& seen) { seen.cycle = std::uint64_t{1} << 61; }},
+        Distortion{[](Sensors& seen) { seen.cycle = ~std::uint64_t{0}; }},
+        Distortion{[](Sensors& seen) { seen.time_ns = std::numeric_limits<std::int64_t>::min(); }}}) {
+    said.clear();
+    std::atomic<int> replies{0};
+    ScriptedRobot robot;
+    robot.real_time = true;
+    robot.distort = [&](Sensors& seen) {
+      if (++replies == 3) distort(seen);
+    };
+    ScriptedServer server{std::ref(robot)};
+    const auto tcp = link(server.port());
+    for (int i = 0; i < 200 && said.find(messages::kConnectedAgain) == std::string::npos; ++i)
+      ASSERT_TRUE(stepOf(*tcp)) << tcp->whyEnded();
+    EXPECT_THAT(said, HasSubstr(messages::kInvalidReply));
+    EXPECT_LT(tcp->sensors().cycle, 10'000);
+  }
+}
+
+TEST_F(TcpLinkTest, RefusesAFirstReplyWithATimeThatNoLoopHas) {
+  ScriptedRobot robot;
+  robot.distort = [](Sensors& seen) { seen.time_ns = std::numeric_limits<std::int64_t>::max(); };
+  ScriptedServer server{std::ref(robot)};
+  try {
+    (void)link(server.port());
+    ADD_FAILURE() << "accepted";
+  } catch (const std::runtime_error& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr(messages::kInvalidReply));
+  }
+}
+
+TEST_F(TcpLinkTest, IgnoresAPeriodThatNoLoopHas) {
+  for (const std::int64_t period_ns : {std::int64_t{1}, std::int64_t{1} << 62}) {
+    ScriptedRobot robot;
+    robot.distort = [&](Sensors& seen) { seen.period_ns = period_ns; };
+    ScriptedServer server{std::ref(robot)};
+    EXPECT_EQ(link(server.port())->period(), 16ms);
   }
 }
 

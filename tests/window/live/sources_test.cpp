@@ -50,6 +50,14 @@ TEST(MonitorSource, OtherMessagesAreIgnored) {
   EXPECT_FALSE(empty->board.motion.ever());
 }
 
+TEST(MonitorSource, APeriodThatNoLoopHasIsIgnored) {
+  EXPECT_EQ(periodOfHello(R"({"type":"hello","period":0.016})"), 0.016);
+  for (const char* text :
+       {"", "[]", R"({"type":"state","period":0.016})", R"({"type":"hello"})", R"({"type":"hello","period":1e-7})",
+        R"({"type":"hello","period":2})", R"({"type":"hello","period":"0.016"})"})
+    EXPECT_FALSE(periodOfHello(text)) << text;
+}
+
 TEST(RuntimeSource, ReadsEachCycleOnceWithTheGainsThatAreAskedFor) {
   const TemporaryFolder folder;
   const runtime::RuntimeFiles files{folder / "runtime"};
