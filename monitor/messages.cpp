@@ -86,6 +86,7 @@ Json boardOf(const BoardSensors& board) {
   const bool fresh = motionFresh(board.motion);
   const auto known = [fresh](Json value) { return fresh ? std::move(value) : Json(nullptr); };
   Json text;
+  text["absent"] = board.absent;
   text["age"] = ageOf(board.motion);
   text["accelerometer"] = axes(fresh, board.accelerometer);
   text["gyro"] = axes(fresh, board.gyro);

@@ -73,6 +73,7 @@ std::optional<Sensors> sensorsOfState(std::string_view message, double period_s)
   const auto state_name = std::ranges::find(kStateNames, textOf(member(state, "state")));
   if (state_name != kStateNames.end())
     out.safety.state = static_cast<State>(std::distance(kStateNames.begin(), state_name));
+  out.board.absent = member(board, "absent") == true;
   out.board.motion = ageOf(numberOf(member(board, "age")));
   for (std::size_t i = 0; i < 3; ++i) {
     out.board.gyro[i] = RadPerSec{at(board, "gyro", i)};

@@ -39,6 +39,14 @@ TEST(MonitorSource, AStateMessageIsTheCycleItWasMadeFrom) {
   EXPECT_TRUE(std::isnan(got->joint[0].speed_limit.value)) << "the message does not have it";
 }
 
+TEST(MonitorSource, ARobotWithoutABoardIsOneWithoutABoard) {
+  Sensors sent = test::resting(700).sensors;
+  EXPECT_FALSE(sensorsOfState(monitor::stateText(sent), 0.016)->board.absent);
+  sent.board = {};
+  sent.board.absent = true;
+  EXPECT_TRUE(sensorsOfState(monitor::stateText(sent), 0.016)->board.absent);
+}
+
 TEST(MonitorSource, OtherMessagesAreIgnored) {
   for (const char* text : {"", "[]", "{}", R"({"type":"state"})", R"({"type":"gone","reason":"x"})",
                            R"({"type":"state","cycle":-1,"time":0,"joints":{},"board":{}})",
