@@ -26,8 +26,8 @@ bool isMovedBySafety(State state) {
   return state == State::kTakingOver || state == State::kStarting || state == State::kKneeling;
 }
 
-std::size_t cyclesOfWindow(double period_s) {
-  return static_cast<std::size_t>(std::lround(kWindow / period_s));
+std::size_t cyclesOf(double seconds, double period_s) {
+  return static_cast<std::size_t>(std::lround(seconds / period_s));
 }
 
 Axes accelOf(const BoardSensors& board) {
@@ -49,9 +49,10 @@ std::string_view name(Resync reason) {
 
 LiveComparison::LiveComparison(twin::Model model, Support support, double period_s)
     : twin_{std::move(model), support},
-      position_(kJoints, ResidualWindow{cyclesOfWindow(period_s)}),
+      cycles_of_turn_{cyclesOf(kTurning, period_s)},
+      position_(kJoints, ResidualWindow{cyclesOf(kWindow, period_s)}),
       load_{position_},
-      gyro_(3, ResidualWindow{cyclesOfWindow(period_s)}),
+      gyro_(3, ResidualWindow{cyclesOf(kWindow, period_s)}),
       accel_{gyro_} {
   measured_rad_.fill(kNone);
 }
@@ -84,6 +85,7 @@ void LiveComparison::take(const LiveCycle& cycle) {
   twin_up_.add(twin.accel_m_s2, dt_s);
   if (isMovedBySafety(seen.safety.state)) settled_at_s_ = time_s + kSettle;
   noteTurn(dt_s);
+  if (wanted_) return place(cycle);
   status_.state = time_s < settled_at_s_ ? LiveState::kSettling : LiveState::kComparing;
   if (status_.state == LiveState::kComparing) compare(seen, twin);
 }
@@ -109,16 +111,23 @@ void LiveComparison::noteTorque(const Sensors& seen) {
   if ((status_.driven & ~before).any() && !wanted_) wanted_ = Resync::kTorque;
 }
 
+/// What was compared since the turn began, is taken back.
 void LiveComparison::noteTurn(double dt_s) {
   const std::optional<Axes> robot = robot_up_.up(), twin = twin_up_.up();
   turned_s_ = robot && twin && angleBetween(*robot, *twin) > kTurned ? turned_s_ + dt_s : 0;
-  if (turned_s_ >= kTurnedFor) wanted_ = Resync::kTurned;
+  if (turned_s_ < kTurnedFor) return;
+  wanted_ = Resync::kTurned;
+  for (std::vector<ResidualWindow>* const windows : {&position_, &load_, &gyro_, &accel_})
+    for (ResidualWindow& window : *windows) window.forgetLast(cycles_of_turn_);
 }
 
 /// Joints that are silent are put where their goals are. Nothing shows how a robot without a board is turned: upright.
 void LiveComparison::place(const LiveCycle& cycle) {
   const std::optional<Axes> up = cycle.sensors.board.absent ? Axes{0, 1, 0} : robot_up_.up();
-  if (!up || (wanted_ == Resync::kTurned && !robot_up_.isSteady())) return;
+  if (!up || (wanted_ == Resync::kTurned && !robot_up_.isSteady())) {
+    status_.state = LiveState::kSettling;
+    return;
+  }
   std::array<double, kJoints> pose = measured_rad_;
   for (std::size_t i = 0; i < kJoints; ++i) {
     if (std::isnan(pose[i])) pose[i] = cycle.sensors.joint[i].commanded.value;

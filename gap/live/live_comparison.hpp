@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,7 +18,7 @@ namespace darwinop::gap::live {
 enum class LiveState : std::uint8_t {
   kNoData,     // no robot, or its board does not reply
   kOnItsSide,  // a twin on the floor cannot be put there
-  kSettling,   // the twin was just put into the measured pose, or safety moves the robot
+  kSettling,   // the twin was just put into the measured pose, or will be; or safety moves the robot
   kComparing,
   kFailed  // the simulation has stopped
 };
@@ -75,6 +76,7 @@ class LiveComparison {
   std::optional<Resync> wanted_ = Resync::kBegin;
   std::array<double, kJoints> measured_rad_{};
   TrunkDirection robot_up_, twin_up_;
+  std::size_t cycles_of_turn_;
   std::vector<ResidualWindow> position_, load_, gyro_, accel_;
 };
 

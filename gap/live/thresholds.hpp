@@ -35,4 +35,8 @@ inline constexpr double kSteady = kAlongAxis / 2;
 /// our motion pages lean less than 0.3 rad from the twin's own lean.
 inline constexpr double kTurned = 0.5, kTurnedFor = 0.5;
 
+/// s before that moment that count as not compared: the turn was noticed after kTurnedFor and the delay of the
+/// direction (0.3 s for a right angle), and a fall takes up to 1 s.
+inline constexpr double kTurning = kTurnedFor + 2 * kGravityTime;
+
 }  // namespace darwinop::gap::live

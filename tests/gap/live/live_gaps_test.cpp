@@ -124,6 +124,43 @@ TEST_F(LiveGaps, ATurnedTrunkTurnsTheStandOfTheTwin) {
   EXPECT_EQ(report().state, LiveState::kComparing);
 }
 
+TEST_F(LiveGaps, ATrunkThatIsTurnedForLongIsNotComparedMeanwhileAndLeavesNoTrace) {
+  run(4);
+  const LiveReport before = report();
+  run(0.5, [](LiveCycle& cycle) { cycle.sensors.board.accelerometer = kOnItsSide; });
+  double angle = 0;
+  const auto turn = [&](LiveCycle& cycle) {
+    angle += 3 * kPeriod;
+    cycle.sensors.board.accelerometer = {MeterPerSec2{kGravity * std::cos(angle)}, MeterPerSec2{0},
+                                         MeterPerSec2{kGravity * std::sin(angle)}};
+    cycle.sensors.board.gyro[1] = RadPerSec{3};
+  };
+  run(1, turn);
+  EXPECT_EQ(report().state, LiveState::kSettling);
+  const std::uint64_t compared = report().compared;
+  run(2, turn);
+  EXPECT_EQ(report().state, LiveState::kSettling);
+  EXPECT_EQ(report().compared, compared);
+  EXPECT_EQ(report().accel_m_s2[0].worst, before.accel_m_s2[0].worst);
+  EXPECT_EQ(report().gyro_rad_s[1].worst, before.gyro_rad_s[1].worst);
+  run(8, [](LiveCycle& cycle) { cycle.sensors.board.accelerometer = kOnItsSide; });
+  EXPECT_EQ(report().state, LiveState::kComparing);
+  EXPECT_EQ(resyncs(Resync::kTurned), 1);
+  EXPECT_LT(report().accel_m_s2[0].worst, kGravity / 2);
+}
+
+TEST(ResidualWindow, WhatIsForgottenCountsNeitherInTheWindowNorInTheWorst) {
+  ResidualWindow window{4};
+  for (const double residual : {-3.0, 1.0, 2.0, 1.0, 5.0, 7.0}) window.add(residual);
+  EXPECT_EQ(window.get().worst, 7);
+  window.forgetLast(2);
+  EXPECT_EQ(window.get().worst, 3) << "of a value that has left the window";
+  EXPECT_EQ(window.get().count, 2);
+  window.forgetLast(100);
+  EXPECT_EQ(window.get().count, 0);
+  EXPECT_EQ(window.get().worst, 3);
+}
+
 TEST_F(LiveGaps, ATwinOnTheFloorIsNotPutOnItsSide) {
   LiveComparison floor{modelWith(""), Support::kFloor, kPeriod};
   for (int i = 0; i < 100; ++i) {
