@@ -33,6 +33,7 @@ PageFile readForCheck(const std::string& path, std::vector<std::string>& finding
 }  // namespace
 
 int checkMotions(const std::string& file) {
+  refuseMotionOfWebots(file);
   std::vector<std::string> findings;
   const PageFile pages = readForCheck(file, findings);
   for (std::string& finding : checkPages(pages)) findings.push_back(std::move(finding));

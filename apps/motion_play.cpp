@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
-#include <string_view>
 
 #include "connect/setting.hpp"
 #include "exit_codes.hpp"
@@ -24,13 +23,6 @@
 namespace darwinop::motion {
 
 namespace {
-
-bool isMotionFile(const std::string& file) {
-  if (file == kOwn) return false;
-  const std::vector<std::uint8_t> bytes = readBytes(file);
-  constexpr std::string_view kHead = "#WEBOTS_MOTION";
-  return std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()}.starts_with(kHead);
-}
 
 /// Also validates the file, so that nothing moves if it is invalid.
 std::string checkedPreview(const PlayRequest& request, bool is_motion) {
@@ -91,7 +83,7 @@ void setForRobot(const char* name, const std::string& value) {
 
 int play(PlayRequest request) {
   runtime::requireNewRecording(request.record);
-  const bool is_motion = isMotionFile(request.file);
+  const bool is_motion = isMotionOfWebots(request.file);
   const std::string preview = checkedPreview(request, is_motion);
   if (const char* usual = std::getenv("DARWINOP_ROBOT"); request.robot.empty() && usual != nullptr)
     request.robot = usual;

@@ -103,7 +103,7 @@ struct SafetyReport {
   std::bitset<kJoints> missed_start;  // did not reach the start pose in time in the last move to it
   std::uint32_t start_timeouts = 0;   // moves to the start pose that timed out
 
-  // Settings in force: the robot's and the session's together. NaN: not known, as over TCP.
+  // Settings in force: the robot's and the session's together. NaN: not known, as from a server of 2013.
   float gentle_speed = std::numeric_limits<float>::quiet_NaN();    // rad/s
   float default_p_gain = std::numeric_limits<float>::quiet_NaN();  // of a joint that was given none
   float default_speed = std::numeric_limits<float>::quiet_NaN();   // rad/s, of a joint that was given none

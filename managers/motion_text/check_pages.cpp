@@ -6,6 +6,7 @@
 
 #include "core/conversions.hpp"
 #include "core/text/number_text.hpp"
+#include "managers/motion/joint_track.hpp"
 #include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 
@@ -16,8 +17,6 @@ namespace {
 constexpr double kTickSeconds = kTickMs / 1000.0;
 // With a register of 4 a leg reaches full duty only at an error of 180 degrees, so it collapses under the robot.
 constexpr int kMinLegGain = 8;
-// Steps of at most this many ticks have no motion (StepTimes::fitted).
-constexpr int kMaxTicksWithoutMotion = 2;
 constexpr int kJump = 12;  // ticks, 1.05 degrees: minimum for a finding
 
 std::string degrees(int ticks) {
@@ -115,7 +114,8 @@ class Check {
   }
   void checkJump(const Move& move, double seconds, const std::string& before) {
     const auto farthest = std::ranges::max_element(move.distance);
-    if (move.ticks > kMaxTicksWithoutMotion || *farthest < kJump) return;
+    const int acceleration = pages_.at(static_cast<std::size_t>(move.page)).acceleration;
+    if (StepTimes::fitted(move.ticks, acceleration).total > 0 || *farthest < kJump) return;
     keep(
         at(static_cast<std::size_t>(move.page), move.step, static_cast<std::size_t>(farthest - move.distance.begin())) +
         "the goal jumps by " + text::fixedText(*farthest * kDegreesPerTick, 2) +

@@ -113,6 +113,15 @@ TEST_F(CommandLine, ThePreviewOfAMotionCountsFirstValuesInLaterPoses) {
   EXPECT_THAT(asked.said, AllOf(HasSubstr("(ShoulderL)"), HasSubstr(motion::kLeadIn)));
 }
 
+TEST_F(CommandLine, OnlyMotionPlayReadsADotMotionFile) {
+  std::ofstream{file("wave.motion")} << "#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A,0\n";
+  for (const char* command : {"list wave.motion", "show wave.motion 1", "check wave.motion"}) {
+    const Outcome refused = call(std::string{"motion "} + command);
+    EXPECT_EQ(refused.status, 2) << command;
+    EXPECT_THAT(refused.said, HasSubstr(std::string{"wave.motion"} + motion::kOnlyPlayReads)) << command;
+  }
+}
+
 TEST_F(CommandLine, EveryGapCommandHasAnExampleOfItself) {
   for (const std::string name : {"check", "locate", "run", "report", "add", "case", "record", "plan", "export"}) {
     const std::string command = "gap " + name;

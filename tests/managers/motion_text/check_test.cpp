@@ -1,6 +1,10 @@
 // Checks of motion pages, durations, dry runs.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
 #include "managers/motion/pages.hpp"
 #include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/dry_run.hpp"
@@ -73,6 +77,21 @@ TEST(CheckPages, AStepTooShortForAMotionIsAJump) {
   page.step[1].time = 3;
   page.step[1].position[19] = 2048 + 30;
   EXPECT_THAT(checkPages(fileWith(page)), IsEmpty()) << "short, but with a motion";
+}
+
+TEST(CheckPages, AShortStepWithoutAccelerationReachesItsTarget) {
+  Page page = pageOf({middle(125), middle(2), middle(125)});
+  page.acceleration = 0;
+  page.step[1].position[19] = 2048 + 12;
+  const PageFile pages = fileWith(page);
+  EXPECT_THAT(checkPages(pages), IsEmpty());
+  int farthest = 0, jump = 0, before = 2048;
+  for (const Pose& pose : dryRun(pages, 5, firstPose(page)).poses) {
+    farthest = std::max(farthest, pose[18]);
+    jump = std::max(jump, std::abs(pose[18] - std::exchange(before, pose[18])));
+  }
+  EXPECT_EQ(farthest, 2048 + 12);
+  EXPECT_EQ(jump, 6) << "in two ticks";
 }
 
 TEST(CheckPages, LowGainsAreReported) {
