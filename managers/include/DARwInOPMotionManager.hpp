@@ -22,8 +22,9 @@ namespace managers {
 /// are those of the controller again. While the robot does not follow, as with a silent board, a page waits. After
 /// 0.3 s it ends there, with one message: isMotionPlaying() is false, and playPage() returns.
 ///
-/// Simulator and 2013: the same timing of pages; 2013 ignored customMotionFile and did not approach a first pose
-/// slowly. Errors are logged once on stderr, nothing is thrown. Threads: all calls from the thread of the Robot.
+/// 2013: the same timing of pages; it ignored customMotionFile and did not approach a first pose slowly. Simulator: no
+/// slow approach either; it ignores speed, profile and gains, so pages of another speed than 32 last up to 2.5 times
+/// longer there. Errors are logged once on stderr, nothing is thrown. Threads: all calls from the thread of the Robot.
 class DARwInOPMotionManager {
  public:
   /// Reads the motion file: customMotionFile, binary or text, or "own" for the built-in pages. With "" it reads
@@ -44,10 +45,10 @@ class DARwInOPMotionManager {
   /// it, or step() once that was called. A first pose that is far away is approached slowly before the page starts. An
   /// empty page, and a page while another one is played, are refused with one warning.
   void playPage(int id, bool sync = true);
-  /// Continues a page that was not started with `sync` by `ms` ms, as in the simulator; from the first call on
-  /// Robot::step() no longer does, so call it before each one. Code of the robot, which has no such call, needs none:
-  /// there Robot::step() continues the page by the robot's time since the last step, at most 80 ms. Pages advance in
-  /// ticks of 8 ms; the remainder is carried over. Does nothing while no page is played.
+  /// Continues a page that was not started with `sync` by `ms` ms (in the simulator by one of its steps); from the
+  /// first call on Robot::step() no longer does, so call it before each one. Code of the robot, which has no such call,
+  /// needs none: there Robot::step() continues the page by the robot's time since the last step, at most 80 ms. Pages
+  /// advance in ticks of 8 ms; the remainder is carried over. Does nothing while no page is played.
   void step(int ms);
   /// True from playPage() until the last page has ended.
   bool isMotionPlaying();
