@@ -34,8 +34,9 @@ class Motion {
   bool isValid() const;
   /// Continues from the current time; at the end it starts from the beginning (reversed: from the end). Motors that are
   /// far from their first goals, also from those in later poses, move there first, at 1.194 rad/s at most, while the
-  /// motion's time stands still. While it plays, without effect; but once the file's length has passed since the last play() it will be played again
-  /// after its end, so that the slow move takes nothing from a sequence of `play(); wait(getDuration())`.
+  /// motion's time stands still. While it plays, without effect; but once the file's length has passed since the last
+  /// play() it will be played again after its end, so that the slow move takes nothing from a sequence of
+  /// `play(); wait(getDuration())`.
   virtual void play();
   /// Pauses; the motors keep their goals.
   virtual void stop();
