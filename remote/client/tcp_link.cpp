@@ -17,6 +17,7 @@ namespace {
 
 constexpr Nanos kStopCheck{50'000'000};   // interval at which the stop flag is checked
 constexpr Nanos kLateReply{100'000'000};  // after the end of a step: then the step ends with aged values
+constexpr Nanos kHeldAfter{500'000'000};  // without a reply: safety holds a silent controller (stall_ms)
 constexpr Nanos kShortestPeriod{1'000'000}, kLongestPeriod{1'000'000'000};
 
 }  // namespace
@@ -171,7 +172,10 @@ void TcpLink::ageShownImage() {
   if (!server_.real_time) return;
   const Nanos elapsed = std::max(Nanos{0}, clock_.now() - image_at_);
   ageImage(shown_, static_cast<std::uint64_t>(elapsed / server_.period), server_.period);
-  if (state_ == TcpState::kLost) shown_.safety.state = State::kOffline;
+  if (state_ == TcpState::kLost)
+    shown_.safety.state = State::kOffline;
+  else if (elapsed > kHeldAfter && shown_.safety.state == State::kDriven)
+    shown_.safety.state = State::kHolding;
 }
 
 void TcpLink::checkSpeed(const Reply& reply) {

@@ -33,8 +33,9 @@ struct TcpOptions {
 };
 
 /// Cycles are those of the robot's loop, numbered in each reply. Without replies, cycles are counted by the local clock
-/// and all values age with them. A server of 2013 sends no cycle numbers: then the local clock counts periods of 16 ms,
-/// and a step returns the values of its start.
+/// and all values age with them; after 0.5 s the robot counts as holding, after a lost connection as offline. A server
+/// of 2013 sends no cycle numbers: then the local clock counts periods of 16 ms, and a step returns the values of its
+/// start.
 class TcpLink final : public runtime::RobotLink {
  public:
   /// Connects and waits for the first reply. Throws std::runtime_error with the remedy.

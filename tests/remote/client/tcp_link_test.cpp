@@ -33,7 +33,7 @@ class TcpLinkTest : public testing::Test {
     options.port = port;
     options.connect_timeout = 500ms;
     options.reconnect_timeout = patience;
-    options.reply_timeout = 300ms;
+    options.reply_timeout = reply_timeout;
     options.log = [this](const std::string& what) { said += what + "\n"; };
     return std::make_unique<TcpLink>(std::move(options));
   }
@@ -48,7 +48,7 @@ class TcpLinkTest : public testing::Test {
     return commands;
   }
   std::string said;
-  Nanos patience = 20s;
+  Nanos patience = 20s, reply_timeout = 300ms;
 };
 
 TEST_F(TcpLinkTest, ReturnsTheRobotsSensors) {
@@ -368,6 +368,23 @@ TEST_F(TcpLinkTest, ContinuesStepsWithAgingValuesWithoutReplies) {
   robot.silent = false;
   while (!tcp->sensors().joint[7].motion.fresh()) ASSERT_TRUE(stepOf(*tcp));
   EXPECT_THAT(said, HasSubstr(messages::kConnectedAgain));
+}
+
+TEST_F(TcpLinkTest, ARobotWithoutRepliesCountsAsHolding) {
+  reply_timeout = 10s;
+  ScriptedRobot robot;
+  robot.real_time = true;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  ASSERT_TRUE(stepOf(*tcp));
+  robot.delay = 2s;
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_EQ(tcp->sensors().safety.state, State::kDriven) << "0.16 s";
+  for (int i = 0; i < 30; ++i) ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_EQ(tcp->sensors().safety.state, State::kHolding) << "0.64 s";
+  for (int i = 0; i < 200 && tcp->sensors().safety.state != State::kDriven; ++i) ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_EQ(tcp->sensors().safety.state, State::kDriven) << "a reply";
+  EXPECT_EQ(said, "") << "the connection was not lost";
 }
 
 TEST_F(TcpLinkTest, AgesAReplyThatWasBuffered) {
