@@ -58,6 +58,12 @@ class LoopFigures {
     return present.none() ? ~present : present;
   }
 
+  /// Torque that is left now is of servos that are silent: waiting switches nothing off.
+  [[nodiscard]] bool isLimp() const {
+    Sensors last;
+    return exchange_.block().sensors.read(last) && last.safety.state == State::kLimp;
+  }
+
   /// Its process has died without bringing the robot to rest.
   [[nodiscard]] bool daemonDied() const {
     const ExchangeBlock& block = exchange_.block();
@@ -121,7 +127,7 @@ std::optional<LoopFigures> tryAttachEmbedded(const std::string& exchange) {
 bool keepsTorqueIfKilled(const std::string& exchange) {
   if (!exchange.empty() && !std::filesystem::exists(exchange)) return false;  // it hosts no loop
   const auto embedded = tryAttachEmbedded(exchange);
-  return !embedded || embedded->leftTorque(true);
+  return !embedded || (!embedded->isLimp() && embedded->leftTorque(true).any());
 }
 
 /// What to name where `folder` does not have the program `missing`.
