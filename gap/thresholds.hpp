@@ -408,17 +408,17 @@ inline constexpr int kFloorRivalIterations = 2, kFloorIterations = 5;
 inline constexpr double kFloorStartFarBehind = 10, kFloorFarBehind = 3;
 inline constexpr double kFloorTolerance = 1e-3;
 inline constexpr std::size_t kMostFloorEffects = 2;
-/// Share of a log's squared residuals that a linear effect explains in it alone: from there the fit begins, too. A tilt
-/// of 0.039 rad was fitted as 0.018 from the solution for all logs, of which the walk is not linear (--effect
-/// floor_tilt, seed 412).
+/// Share of a log's squared residuals that a linear effect explains in it alone: the fit also begins there. A tilt of
+/// 0.039 rad was fitted as 0.018 from the solution for all logs, of which the walk is not linear (--effect floor_tilt,
+/// seed 412).
 inline constexpr double kFloorStartShare = 0.5;
 /// Strengths of a fitted effect from which the search goes on if one is better, and how often. A trunk's centre of mass
 /// that was off by 18 mm stopped at 16.4 without them.
 inline constexpr std::array kFloorStrengths{0.8, 0.9, 1.1, 1.2};
 inline constexpr int kFloorValleys = 3;
-/// Share of what is beyond noise on the floor that an effect has to explain: the greater part. What explained 17 to 34 %
-/// were centres of mass and frictions of robots with another contact time (--effect contact_time, seeds 301 and 303);
-/// tilts, soles, frictions and trunks of the same engine explained 85 to 98 % (seeds 411 to 415, 422 to 424).
+/// Share of what is beyond noise on the floor that an effect has to explain: the greater part. Up to 34 % was explained
+/// by centres of mass and frictions of robots with another contact time (--effect contact_time, seeds 301 and 303); 74
+/// to 99 % by right tilts, soles, frictions and trunks of the same engine (seeds 411 to 415, 422 to 424).
 inline constexpr double kFloorShare = 0.5;
 /// Cost of a sample of a right model: engines that differ widen the noise. A right model of the example cases had 0.43.
 inline constexpr double kFloorCostOfNoise = 0.5;

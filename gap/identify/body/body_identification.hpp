@@ -44,6 +44,9 @@ struct BodyIdentification {
 
 BodyIdentification identify(const BodyCase& given, BodyScope scope = BodyScope::kAll);
 
+/// Before the signals that nothing named explains.
+inline constexpr const char* kNotExplained = "  not explained: ";
+
 /// For a terminal; for programs: verdict, effects, ambiguity, where and scores.
 std::string asText(const BodyIdentification& found);
 nlohmann::ordered_json asJson(const BodyCase& given, const BodyIdentification& found);

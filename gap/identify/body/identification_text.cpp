@@ -7,7 +7,6 @@
 #include "gap/identify/body/floor_text.hpp"
 #include "gap/identify/body/held_out_text.hpp"
 #include "gap/identify/body/mechanics_text.hpp"
-#include "gap/plant/block.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -146,7 +145,7 @@ std::string asText(const BodyIdentification& found) {
   if (found.battery) text += asText(*found.battery);
   text += asText(found.mechanics) + asText(found.floor) + asText(found.held_out);
   for (const BodyRow* const row : unexplained(found))
-    text += "  not explained: " + row->signal + ", " + std::string{name(row->block)} + "\n";
+    text += kNotExplained + row->signal + ", " + std::string{name(row->block)} + "\n";
   return text;
 }
 

@@ -23,8 +23,8 @@ TEST(ExplainedRows, AFrictionInAnArmDoesNotExplainTheSupplyOrTheLoadOfALeg) {
   answer.mechanics.touched = {Joint::kShoulderR, Joint::kArmUpperR, Joint::kArmLowerR};
   const std::string text = asText(answer);
   for (const char* const left : {"FootL.voltage, supply", "FootL.load, controller", "ArmLowerR.voltage, supply"})
-    EXPECT_THAT(text, testing::HasSubstr(std::string{"not explained: "} + left));
-  EXPECT_THAT(text, testing::Not(testing::HasSubstr("not explained: ArmLowerR.load")));
+    EXPECT_THAT(text, testing::HasSubstr(kNotExplained + std::string{left}));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr(kNotExplained + std::string{"ArmLowerR.load"})));
 }
 
 }  // namespace
