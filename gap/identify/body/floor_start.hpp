@@ -10,8 +10,8 @@ struct FloorStart {
   double cost = 0;
 };
 
-/// The best of an effect's starts, on top of what was found. Of a linear effect: of the solutions for all logs together,
-/// and for each log that such a solution mostly explains.
+/// The best of an effect's starts, on top of what was found. Of a linear effect: of the solutions for all logs
+/// together, and for each log that such a solution mostly explains.
 FloorStart bestStart(FloorEvaluator& evaluator, const FloorSet& found, const FloorEffect& effect);
 
 }  // namespace darwinop::gap
