@@ -54,6 +54,20 @@ double lineAt(double time_s, const std::vector<Reading>& readings) {
   return (sv - slope * st) / n;
 }
 
+/// Of each row: its own reading, or that of the row nearest in time. A servo is polled once in many rows.
+std::vector<double> nearestReadings(const Trajectory& log) {
+  std::vector<std::size_t> read;
+  for (std::size_t row = 0; row < log.rows(); ++row)
+    if (!std::isnan(log.temp_c[row])) read.push_back(row);
+  std::vector<double> nearest(log.rows());
+  for (std::size_t row = 0, i = 0; row < log.rows(); ++row) {
+    const auto apart = [&](std::size_t k) { return std::abs(log.time_s[read[k]] - log.time_s[row]); };
+    while (i + 1 < read.size() && apart(i + 1) <= apart(i)) ++i;
+    nearest[row] = log.temp_c[read[i]];
+  }
+  return nearest;
+}
+
 }  // namespace
 
 void smoothTemperatures(Case& of) {
@@ -64,15 +78,17 @@ void smoothTemperatures(Case& of) {
     std::vector<Reading> own;
     append(log, own);
     log.warmth_c = log.temp_c;
+    if (own.empty()) continue;
+    const std::vector<double> nearest_c = nearestReadings(log);
     double known_at_s = -kEvery, known_c = std::nan("");
     for (std::size_t row = 0; row < log.rows(); ++row) {
-      if (std::isnan(log.temp_c[row])) continue;
       const double since_s = log.time_s[row] - log.time_s.front();
       if (since_s >= known_at_s + kEvery) {
         known_at_s = since_s;
         known_c = lineAt(log.session_start_s + since_s, together ? all : own);
       }
-      log.warmth_c[row] = std::clamp(known_c, log.temp_c[row] - kWithin, log.temp_c[row] + kWithin);
+      const double line_c = std::isnan(known_c) ? nearest_c[row] : known_c;
+      log.warmth_c[row] = std::clamp(line_c, nearest_c[row] - kWithin, nearest_c[row] + kWithin);
     }
   }
 }

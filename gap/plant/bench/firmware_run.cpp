@@ -32,7 +32,7 @@ std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t 
 }
 
 double temperatureOf(const Trajectory& log, std::size_t row) {
-  const double temperature = lastReading(log, log.temp_c, "temp", row);
+  const double temperature = (log.warmth_c.empty() ? log.temp_c : log.warmth_c)[row];
   return std::isnan(temperature) ? twin::kRoomC : temperature;
 }
 

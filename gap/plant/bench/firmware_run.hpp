@@ -24,7 +24,7 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
 /// Commands of which row are in force right after the read of `row`.
 std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t row);
 
-/// Temperature that counts for a row, degC.
+/// Temperature that counts for a row, degC: smoothed where it is; that of a room where the log has none.
 double temperatureOf(const Trajectory& log, std::size_t row);
 
 }  // namespace darwinop::gap

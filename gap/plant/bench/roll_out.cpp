@@ -10,6 +10,7 @@
 
 #include "core/conversions.hpp"
 #include "core/random.hpp"
+#include "gap/plant/bench/firmware_run.hpp"
 #include "gap/plant/bench/surroundings.hpp"
 #include "gap/plant/row_state.hpp"
 #include "gap/thresholds.hpp"
@@ -30,7 +31,7 @@ class Run {
         period_s_{folded_ * hypothesis.servo.firmware_period_s},
         phase_s_{phaseOf(log, options) * period_s_},
         nominal_v_{supplyOf(given, log, hypothesis)},
-        temperature_c_{temperatureAt(0)},
+        temperature_c_{temperatureOf(log, 0)},
         bench_{servoOf(hypothesis), effects(hypothesis), armOf(given, log, hypothesis)} {
     if (options.disturbance != nullptr)
       ripple_.emplace(options.disturbance->supply_v, options.disturbance->supply_time_s, period_s_,
@@ -158,12 +159,7 @@ class Run {
   void command(std::size_t row) {
     drive_.goal_rad = log_.goal_rad[row];
     drive_.torque_on = log_.torque_on[row] != 0;
-    temperature_c_ = temperatureAt(row);
-  }
-
-  [[nodiscard]] double temperatureAt(std::size_t row) const {
-    const double temperature = lastReading(log_, log_.warmth_c.empty() ? log_.temp_c : log_.warmth_c, "temp", row);
-    return std::isnan(temperature) ? twin::kRoomC : temperature;
+    temperature_c_ = temperatureOf(log_, row);
   }
 
   [[nodiscard]] twin::ServoParameters servoOf(const Hypothesis& hypothesis) const {

@@ -50,12 +50,21 @@ TEST(Warmth, LogsOfAnotherDayAreNotNeighbours) {
   for (const double warmth : session.logs[1].warmth_c) EXPECT_NEAR(warmth, 25, 1e-9);
 }
 
+// The runtime polls one servo a cycle.
+TEST(Warmth, EveryRowOfAServoThatIsPolledNowAndThenHasATemperature) {
+  Case session = warmingUp(8);
+  for (Trajectory& log : session.logs)
+    for (std::size_t row = 0; row < log.rows(); ++row)
+      if (row % 20 != 7) log.temp_c[row] = std::nan("");
+  smoothTemperatures(session);
+  for (const Trajectory& log : session.logs) {
+    for (const double warmth : log.warmth_c) ASSERT_FALSE(std::isnan(warmth));
+    EXPECT_LT(worst(log, log.warmth_c), 0.5) << log.session_start_s;
+  }
+}
+
 TEST(Warmth, WhatIsNotKnownStaysUnknown) {
   Case session = warmingUp(1);
-  session.logs[0].temp_c[10] = std::nan("");
-  smoothTemperatures(session);
-  EXPECT_TRUE(std::isnan(session.logs[0].warmth_c[10]));
-  EXPECT_FALSE(std::isnan(session.logs[0].warmth_c[11]));
   for (double& temp : session.logs[0].temp_c) temp = std::nan("");
   smoothTemperatures(session);
   for (const double warmth : session.logs[0].warmth_c) EXPECT_TRUE(std::isnan(warmth));

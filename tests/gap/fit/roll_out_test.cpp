@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
 
 #include "core/conversions.hpp"
+#include "gap/case/parts.hpp"
 #include "gap/fit/unknown.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plant/position_error.hpp"
@@ -185,6 +189,23 @@ TEST(RollOut, TheLogsTemperatureIsTheServos) {
     return *std::min_element(t[kPositionSignal].begin(), t[kPositionSignal].end());
   };
   EXPECT_LT(lowest(hot), lowest(cold) - 0.02) << "thin grease brakes less";
+}
+
+TEST(RollOut, ATemperatureThatIsReadNowAndThenCountsInEveryRow) {
+  Case bench = smallBench();
+  const Hypothesis warm = withEffect(bench, "temp_drift", "rate", 0.05);
+  const std::vector<double> cold = traceOf(bench, 2, warm)[kPositionSignal];
+  bench.logs[2].temp_c.assign(bench.logs[2].rows(), 45);
+  const std::vector<double> always = traceOf(bench, 2, warm)[kPositionSignal];
+  for (std::size_t row = 0; row < bench.logs[2].rows(); ++row)
+    if (row % 20 != 3) bench.logs[2].temp_c[row] = std::nan("");
+  smoothTemperatures(bench);
+  const std::vector<double> sparse = traceOf(bench, 2, warm)[kPositionSignal];
+  const auto apart = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return std::sqrt(std::inner_product(a.begin(), a.end(), b.begin(), 0.0, std::plus{},
+                                        [](double x, double y) { return (x - y) * (x - y); }));
+  };
+  EXPECT_LT(apart(sparse, always), 0.01 * apart(cold, always));
 }
 
 TEST(Hypothesis, KeepsEffectsInTheOrderInWhichTheyAct) {
