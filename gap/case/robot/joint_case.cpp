@@ -105,7 +105,7 @@ std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& mo
   return parts;
 }
 
-/// Weight and inertia as one weight at the end of an arm without mass; the length is the same for all logs.
+/// Weight and inertia as one weight at the end of an arm without mass. Tilt and pose change both, each in its own way.
 double lengthOf(const Part& part) {
   constexpr double kUnloaded = 1e-6;  // N m
   if (!(part.pendulum.weight_nm > kUnloaded))
@@ -130,7 +130,8 @@ std::string nameOf(const Part& part, std::size_t number) {
   return fs::path{part.file}.stem().string() + "_" + std::to_string(number + 1) + ".csv";
 }
 
-Json logOf(const Part& part, std::size_t number, Joint joint, double length_m) {
+Json logOf(const Part& part, std::size_t number, Joint joint) {
+  const double length_m = lengthOf(part);
   const double payload = part.pendulum.weight_nm / twin::Pendulum{}.gravity_m_s2 / length_m;
   Json log = {{"file", nameOf(part, number)},
               {"role", part.held_out ? "held_out" : "fit"},
@@ -140,6 +141,7 @@ Json logOf(const Part& part, std::size_t number, Joint joint, double length_m) {
               {"to_s", part.what.to_s},
               {"hangs_at_rad", part.pendulum.hangs_at_rad},
               {"payload_kg", payload},
+              {"length_m", length_m},
               {"t0_session_s", part.zero_s + part.what.from_s}};
   if (part.what.supply_v > 0) log["supply_V"] = part.what.supply_v;  // a battery's falls in a session
   return log;
@@ -151,15 +153,14 @@ JointCaseNotes writeJointCase(const JointCaseRequest& request, const std::string
   twin::Model model = twin::readModel(twin::findModel(request.model));
   JointCaseNotes notes;
   const std::vector<Part> parts = partsOf(request, model, notes.warnings);
-  const double length_m = lengthOf(parts.front());
   if (const double supply = parts.front().what.supply_v; supply > 0) model.servo.supply_v = supply;
 
   Json json = {{"case", nameOfFolder(folder)},
                {"model", "model.ini"},
-               {"arm", {{"arm_mass_kg", 0.0}, {"length_m", length_m}}},
+               {"arm", {{"arm_mass_kg", 0.0}, {"length_m", lengthOf(parts.front())}}},
                {"prior_rel_sigma", priorsOf(model, request.joint)},
                {"logs", Json::array()}};
-  for (std::size_t i = 0; i < parts.size(); ++i) json["logs"].push_back(logOf(parts[i], i, request.joint, length_m));
+  for (std::size_t i = 0; i < parts.size(); ++i) json["logs"].push_back(logOf(parts[i], i, request.joint));
   const CaseFiles files{.log =
                             [&](const std::string& name) {
                               std::size_t i = 0;

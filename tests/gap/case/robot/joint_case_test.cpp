@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -100,6 +101,24 @@ TEST_F(JointCase, HasTheBodyOfItsModelUnderTheSameName) {
   std::ofstream{file("swing.csv")} << recordedSwing();
   writeJointCase({.model = file("own/own.ini"), .recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
   EXPECT_EQ(readCase(file("case")).model.folder, file("case"));
+}
+
+// Where the trunk leans to the side, the shoulder carries less weight at the same inertia.
+TEST_F(JointCase, EachRecordingHasItsOwnArm) {
+  std::ofstream{file("upright.csv")} << recordedSwing();
+  std::ofstream{file("leaning.csv")} << withAccelerometer(recordedSwing(), "6.9,0,6.9");
+  const std::vector<std::string> said =
+      writeJointCase({.recordings = {file("upright.csv"), file("leaning.csv")}, .held_out = {}}, file("case"));
+  const Case made = readCase(file("case"));
+  ASSERT_EQ(made.logs.size(), 2U);
+  EXPECT_LT(made.logs[1].length_m.value() * made.logs[1].payload_kg,
+            0.8 * made.logs[0].length_m.value() * made.logs[0].payload_kg);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const twin::Pendulum arm = armOf(made, made.logs[i]);
+    char inertia[40];
+    std::snprintf(inertia, sizeof inertia, "inertia %.5f kg m2", arm.payload_kg * arm.length_m * arm.length_m);
+    EXPECT_THAT(said[i], testing::HasSubstr(inertia));
+  }
 }
 
 TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {

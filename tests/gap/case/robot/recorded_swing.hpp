@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include "twin/body/robot_body.hpp"
@@ -61,6 +63,21 @@ inline std::string recordedSwing(double began_s = 0, std::optional<Joint> silent
     for (int ms = 0; ms < 16; ++ms) body.step(std::chrono::milliseconds{1}, drives);
   }
   return text + "# end\n";
+}
+
+/// `recording` with these readings of the accelerometer in each row: "1,0,9.7".
+inline std::string withAccelerometer(const std::string& recording, const std::string& readings) {
+  std::istringstream lines{recording};
+  std::string text;
+  for (std::string line; std::getline(lines, line); text += line + "\n") {
+    if (std::isdigit(line.front()) == 0) continue;
+    std::size_t from = 0;
+    for (int column = 0; column < 3; ++column) from = line.find(',', from) + 1;
+    std::size_t to = from;
+    for (int axis = 0; axis < 3; ++axis) to = line.find(',', to) + 1;
+    line.replace(from, to - 1 - from, readings);
+  }
+  return text;
 }
 
 class Folder : public testing::Test {
