@@ -47,4 +47,14 @@ ImuAxes imuAxesOf(const Model& model) {
           .gravity_m_s2 = mju_norm3(body->opt.gravity)};
 }
 
+std::array<double, 3> idealReading(const Model& model, const std::array<double, 3>& accel_m_s2) {
+  const MountingMatrix axes = imuAxesOf(model).accelerometer;
+  std::array<double, 3> trunk{};  // left, up, forward
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double read = (accel_m_s2[axis] - model.imu.accel_bias_m_s2[axis]) / model.imu.accel_scale[axis];
+    for (std::size_t k = 0; k < 3; ++k) trunk[k] += axes[axis][k] * read;
+  }
+  return {-trunk[0], trunk[2], trunk[1]};
+}
+
 }  // namespace darwinop::twin

@@ -31,4 +31,8 @@ struct ImuAxes {
 /// Throws std::runtime_error with the body's file and the reason.
 ImuAxes imuAxesOf(const Model& model);
 
+/// What an accelerometer without the deviations of the model (mounting, axes, bias, scale) reads where that of the
+/// model reads this: right, forward, up. Not finite on an axis of scale 0. Throws as imuAxesOf does.
+std::array<double, 3> idealReading(const Model& model, const std::array<double, 3>& accel_m_s2);
+
 }  // namespace darwinop::twin

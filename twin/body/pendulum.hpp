@@ -19,9 +19,9 @@ struct JointPendulum {
 };
 
 /// `angles_rad`: of all joints; the angle of `joint` is ignored, and NaN stands for one that is not known.
-/// `accel_m_s2`: accelerometer at rest (right, forward, up), which gives the direction of gravity. The trunk is fixed;
-/// effects of the model are not applied. Throws std::runtime_error if MuJoCo cannot load the body, or if an angle of
-/// the same limb is not known.
+/// `accel_m_s2`: an ideal accelerometer at rest (right, forward, up), which gives the direction of gravity. The trunk
+/// is fixed; effects of the model are not applied. Throws std::runtime_error if MuJoCo cannot load the body, or if an
+/// angle of the same limb is not known.
 JointPendulum pendulumOf(const Model& model, Joint joint, const std::array<double, kJoints>& angles_rad,
                          const std::array<double, 3>& accel_m_s2);
 

@@ -18,6 +18,7 @@
 #include "gap/case/robot/alone.hpp"
 #include "gap/case/write_case.hpp"
 #include "twin/bench/bench.hpp"
+#include "twin/body/imu_axes.hpp"
 #include "twin/body/pendulum.hpp"
 #include "twin/model/copy_body.hpp"
 
@@ -30,7 +31,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array kUpright{0.0, 0.0, 9.81};  // what an accelerometer would read
 
 bool isTilted(const AlonePart& part) {
-  return std::ranges::none_of(part.accel_m_s2, [](double axis) { return std::isnan(axis); });
+  return std::ranges::all_of(part.accel_m_s2, [](double axis) { return std::isfinite(axis); });
 }
 
 /// One log of the case.
@@ -90,15 +91,17 @@ std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& mo
   const auto add = [&](std::size_t i, bool held_out) {
     const logs::Log& log = recordings[i];
     const std::string& file = log.file;
-    const std::vector<AlonePart> found = aloneParts(log, request.joint);
+    std::vector<AlonePart> found = aloneParts(log, request.joint);
     if (found.empty())
       throw std::runtime_error(file + ": there are no 2 s in which " +
                                std::string{kJointTable[static_cast<std::size_t>(request.joint)].name} +
                                " moves and all other joints hold their goals; was it another joint's?");
     const fs::path path{file};
-    for (const AlonePart& one : found)
+    for (AlonePart& one : found) {
+      one.accel_m_s2 = twin::idealReading(model, one.accel_m_s2);
       parts.push_back({file, path.filename().string(), log.headValue("experiment").value_or(path.stem().string()),
                        held_out, one, begins_s[i] - log.seconds(0), pendulumOf(model, request.joint, one, file)});
+    }
   };
   for (std::size_t i = 0; i < recordings.size(); ++i) add(i, i >= request.recordings.size());
   if (request.recordings.empty()) throw std::runtime_error("a case needs a recording to be fitted; name one or more");

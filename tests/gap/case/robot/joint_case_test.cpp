@@ -121,6 +121,23 @@ TEST_F(JointCase, EachRecordingHasItsOwnArm) {
   }
 }
 
+// The model says how its sensor deviates, and the sensor does.
+TEST_F(JointCase, HangsWhereItHangsWhateverItsModelSaysOfTheSensor) {
+  // Leaning forward: right 0, forward -1.9, up 9.6. Read as y, -x, z; with a bias and a scale.
+  std::ofstream{file("true.csv")} << withAccelerometer(recordedSwing(), "0,-1.9,9.6");
+  std::ofstream{file("read.csv")} << withAccelerometer(recordedSwing(), "-1.4,0,10.56");
+  const std::filesystem::path shipped = twin::findModel("darwin-op"), body = shipped.parent_path() / "darwin-op.xml";
+  std::filesystem::copy_file(body, file("own.xml"));
+  std::ofstream{file("own.ini")} << "[model]\nname = own\n[body]\nxml = own.xml\n[imu]\naccel_axes = 2, -1, 3\n"
+                                    "accel_bias = 0.5, 0, 0 m/s2\naccel_scale = 1, 1, 1.1\n";
+  const auto hangs = [&](const std::string& recording, const std::string& model) {
+    const std::string said =
+        writeJointCase({.model = model, .recordings = {file(recording)}, .held_out = {}}, file("case")).at(0);
+    return said.substr(said.find("kg m2"));
+  };
+  EXPECT_EQ(hangs("read.csv", file("own.ini")), hangs("true.csv", "darwin-op"));
+}
+
 TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {
   std::ofstream{file("swing.csv")} << recordedSwing();
   const logs::Log log = logs::readLog(file("swing.csv"));
