@@ -47,7 +47,8 @@ struct Trajectory {
 
   std::vector<double> time_s;  // rises
   std::vector<double> goal_rad;
-  std::vector<double> position_rad;  // NaN: masked, or not read
+  std::optional<double> goal_before_rad;  // held before the first row; none: goal and torque of the first row
+  std::vector<double> position_rad;       // NaN: masked, or not read
   // Of a recording of the runtime: when in a row its goals were written and the servo was read, s after time_s. Empty:
   // both at time_s, in GoalOrder.
   std::vector<double> written_s, read_s;

@@ -15,6 +15,7 @@ namespace {
 constexpr twin::NumberRule kRegister{"", 0, 16383};  // of the newest family; an MX-28 has 0 to 254
 constexpr twin::NumberRule kSession{"s", 0, 1e7};
 constexpr twin::NumberRule kClock{"s", -1e11, 1e11};  // Unix time is 1.8e9
+constexpr twin::NumberRule kGoal{"rad", -100, 100};
 constexpr twin::NumberRule kProfileSpeed{"rad/s", 0, 100};
 
 /// Files of a case stand in its folder, so that it can be moved as a whole.
@@ -71,6 +72,7 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   if (entry.has("kp")) out.p_register = entry.number("kp", kRegister);
   if (entry.has("t0_session_s")) out.session_start_s = entry.number("t0_session_s", kSession);
   out.head.speed_limit_rad_s = entry.number("speed_limit_rad_s", kProfileSpeed, 0);
+  if (entry.has("goal_before_rad")) out.head.goal_before_rad = entry.number("goal_before_rad", kGoal);
   out.repeats = entry.text("repeat_of", "");
   out.joint = jointOf(entry);
   out.from_s = entry.number("from_s", kClock, -std::numeric_limits<double>::infinity());

@@ -97,6 +97,7 @@ void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::s
     out.time_s.push_back(log.seconds(row) - log.seconds(rows.front()));
     appendRow(log, c, row, inTicks(goal), out);
   }
+  if (out.goal_before_rad) out.goal_before_rad = inTicks(*out.goal_before_rad);
   takeSchedule(log, *entry.joint, rows, out);
   constexpr const Register& gain = find(kMx28, "p_gain");
   const std::optional<double> p_gain = constant(log, c, c.p_gain->values, rows, "P gain");

@@ -174,6 +174,7 @@ void fillTrajectory(const logs::Log& log, const Encodings& raw, LogEntry& entry,
   entry.head.session_start_s = entry.session_start_s.value_or(0);
   entry.head.is_session_known = entry.session_start_s.has_value();
   for (double& goal : entry.head.goal_rad) goal -= entry.hangs_at_rad;
+  if (entry.head.goal_before_rad) *entry.head.goal_before_rad -= entry.hangs_at_rad;
   for (double& position : entry.head.position_rad) position -= entry.hangs_at_rad;
 }
 

@@ -114,6 +114,7 @@ Json entryOf(const Case& c, const Trajectory& log, const char* role) {
   if (log.is_session_known) entry["t0_session_s"] = log.session_start_s;
   if (log.supply_v) entry["supply_V"] = *log.supply_v;
   if (log.isReadAfterWrite() && log.is_phase_known) entry["firmware_in_step"] = true;
+  if (log.goal_before_rad) entry["goal_before_rad"] = *log.goal_before_rad;
   if (log.speed_limit_rad_s > 0) entry["speed_limit_rad_s"] = log.speed_limit_rad_s;
   return entry;
 }

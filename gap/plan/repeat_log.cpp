@@ -68,7 +68,10 @@ experiments::Experiment again(const Trajectory& log, const ArmSetup& stand, cons
   }
   // It begins where the log began, and waits there.
   experiments::Phase& first = round.phases.front();
-  if (first.torque == experiments::TorqueMode::kLimit) made.setup.pose[index(stand.joint)] = first.goal.goals.front();
+  if (log.goal_before_rad)
+    made.setup.pose[index(stand.joint)] = rounded(stand.hangs_at_rad + *log.goal_before_rad);
+  else if (first.torque == experiments::TorqueMode::kLimit)
+    made.setup.pose[index(stand.joint)] = first.goal.goals.front();
   takeTimeFor(made.setup);
   return made;
 }

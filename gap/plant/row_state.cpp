@@ -50,12 +50,18 @@ double knownPosition(const Trajectory& log, std::size_t row) {
   return from + (to - from) * (log.time_s[row] - log.time_s[before]) / (log.time_s[after] - log.time_s[before]);
 }
 
+std::optional<double> heldBefore(const Trajectory& log, GoalOrder order) {
+  if (order != GoalOrder::kAfterRead) return std::nullopt;
+  if (log.goal_before_rad) return log.goal_before_rad;
+  return log.torque_on[0] != 0 ? std::optional{log.goal_rad[0]} : std::nullopt;
+}
+
 double restBefore(const Trajectory& log, double resolution_rad) {
-  const double first = knownPosition(log, 0);
+  const double first = knownPosition(log, 0), before_rad = log.goal_before_rad.value_or(log.goal_rad[0]);
   double sum = 0, count = 0;
   for (std::size_t row = 0; row < log.rows(); ++row) {
     const double position = knownPosition(log, row);
-    const bool commanded = log.goal_rad[row] != log.goal_rad[0] || log.torque_on[row] != log.torque_on[0];
+    const bool commanded = log.goal_rad[row] != before_rad || log.torque_on[row] != log.torque_on[0];
     if (row > 0 && (commanded || !(std::abs(position - first) <= resolution_rad))) break;
     sum += position, ++count;
   }

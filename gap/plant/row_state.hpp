@@ -1,6 +1,7 @@
 // The measured state of a joint at a row of a log.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,10 @@ double lastReading(const Trajectory& log, const std::vector<double>& column, std
 
 /// Position of a row: measured, or where it is masked on a straight line between its neighbours.
 double knownPosition(const Trajectory& log, std::size_t row);
+
+/// Goal that the joint has been held at before the first row. None: it was limp, or a host that commands before it
+/// reads starts from rest.
+std::optional<double> heldBefore(const Trajectory& log, GoalOrder order);
 
 /// Where the joint was before the log began: mean of the first readings, up to the first new command and to the first
 /// position that differs by more than `resolution_rad`. NaN: no position is known.

@@ -74,6 +74,7 @@ class Reader {
   [[nodiscard]] AlonePart part(std::size_t from, std::size_t to) const {
     AlonePart out{.from_s = log_.seconds(from),
                   .to_s = log_.seconds(to - 1),
+                  .goal_before_rad = from > 0 ? own()[from - 1] : std::numeric_limits<double>::quiet_NaN(),
                   .angles_rad = {},
                   .accel_m_s2 = {},
                   .supply_v = mean(*supply_, from, to)};

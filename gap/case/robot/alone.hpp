@@ -12,6 +12,7 @@ namespace darwinop::gap {
 /// A part of a recording in which one joint is commanded to move, or limp, while all others hold their goals.
 struct AlonePart {
   double from_s, to_s;                     // of the recording's own clock
+  double goal_before_rad;                  // of the joint in the row before; NaN: limp, or the recording begins here
   std::array<double, kJoints> angles_rad;  // mean position of each joint; NaN: it does not answer
   std::array<double, 3> accel_m_s2;        // mean; right, forward, up; NaN: no board
   double supply_v;                         // mean of the board, or of the joint; NaN: neither is known

@@ -146,6 +146,7 @@ Json logOf(const Part& part, std::size_t number, Joint joint) {
               {"payload_kg", payload},
               {"length_m", length_m},
               {"t0_session_s", part.zero_s + part.what.from_s}};
+  if (!std::isnan(part.what.goal_before_rad)) log["goal_before_rad"] = part.what.goal_before_rad;
   if (part.what.supply_v > 0) log["supply_V"] = part.what.supply_v;  // a battery's falls in a session
   return log;
 }

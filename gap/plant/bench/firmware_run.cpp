@@ -41,13 +41,14 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
   run.period_s = hypothesis.servo.firmware_period_s;
   double temperature_c = temperatureOf(log, 0);
   twin::Servo servo = servoFor(hypothesis, temperature_c);
-  const bool held = given.goal_order == GoalOrder::kAfterRead && log.torque_on[0] != 0;
-  servo.reset(held ? log.goal_rad[0] : knownPosition(log, 0), log.session_start_s);
+  const std::optional<double> held = heldBefore(log, given.goal_order);
+  servo.reset(held.value_or(knownPosition(log, 0)), log.session_start_s);
   ServoDrive drive{.torque_limit = 1, .supply_v = supplyOf(given, log, hypothesis)};
   drive.speed_limit_rad_s = log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity();
   const auto period = [&](std::size_t commands, double position, double velocity) {
-    drive.goal_rad = log.goal_rad[commands];
-    drive.torque_on = log.torque_on[commands] != 0;
+    const bool is_before = run.duty.empty() && held && !log.isReadAfterWrite();
+    drive.goal_rad = is_before ? *held : log.goal_rad[commands];
+    drive.torque_on = is_before || log.torque_on[commands] != 0;
     drive.p_gain = log.pRegisterAt(commands) / kRegisterPerKp;
     temperature_c = temperatureOf(log, commands);
     servo.firmware(drive, position, velocity);

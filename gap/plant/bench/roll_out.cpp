@@ -27,6 +27,7 @@ class Run {
       : given_{given},
         log_{log},
         options_{options},
+        held_{heldBefore(log, given.goal_order)},
         folded_{options.steps_per_period > 0 ? 1 : foldedPeriods(log, hypothesis)},
         period_s_{folded_ * hypothesis.servo.firmware_period_s},
         phase_s_{phaseOf(log, options) * period_s_},
@@ -36,8 +37,8 @@ class Run {
     if (options.disturbance != nullptr)
       ripple_.emplace(options.disturbance->supply_v, options.disturbance->supply_time_s, period_s_,
                       options.disturbance->seed * 2 + 1);
-    drive_ = {.torque_on = log.torque_on[0] != 0,
-              .goal_rad = log.goal_rad[0],
+    drive_ = {.torque_on = held_.has_value() || log.torque_on[0] != 0,
+              .goal_rad = held_.value_or(log.goal_rad[0]),
               .speed_limit_rad_s =
                   log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity(),
               .torque_limit = 1,
@@ -75,13 +76,12 @@ class Run {
 
  private:
   void begin(const Hypothesis& hypothesis) {
-    const bool held = given_.goal_order == GoalOrder::kAfterRead && drive_.torque_on;
     bench_.reset({.steps_per_period = stepsFor(hypothesis),
                   .start_rad = startRad(hypothesis),
-                  .goal_rad = held ? std::optional{log_.goal_rad[0]} : std::nullopt,
-                  .session_time_s = log_.session_start_s - (held ? kHeldBefore : 0)});
+                  .goal_rad = held_,
+                  .session_time_s = log_.session_start_s - (held_ ? kHeldBefore : 0)});
     registered_rad_ = bench_.encoder_rad();
-    if (held)
+    if (held_)
       for (long i = std::lround(kHeldBefore / period_s_); i > 0; --i) step();
   }
 
@@ -91,7 +91,7 @@ class Run {
     const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
     // A limp joint moves from its first reading on.
     const double measured = drive_.torque_on ? restBefore(log_, 1.5 * tick) : knownPosition(log_, 0);
-    if (std::isnan(measured)) return log_.goal_rad[0];
+    if (std::isnan(measured)) return drive_.goal_rad;
     if (options_.disturbance == nullptr) return measured;
     return measured +
            tick * (Rng{~options_.disturbance->seed}.uniform() - 0.5);  // the mean of readings leaves rounding
@@ -180,7 +180,8 @@ class Run {
   const Case& given_;
   const Trajectory& log_;
   const RollOutOptions options_;
-  const int folded_;  // periods of the firmware in one of the simulation
+  const std::optional<double> held_;  // goal before the first row
+  const int folded_;                  // periods of the firmware in one of the simulation
   const double period_s_, phase_s_, nominal_v_;
   double temperature_c_;
   twin::Bench bench_;

@@ -5,7 +5,8 @@
 
 namespace darwinop::gap {
 
-/// s. A host that commands after it reads has held the first goal this long; one that commands first starts from rest.
+/// s. A host that commands after it reads has held its goal this long before row 0, heldBefore(); one that commands
+/// first starts from rest.
 inline constexpr double kHeldBefore = 1.0;
 
 /// Reuses the memory of `trace`. May run in several threads at once, each with a trace of its own. Throws

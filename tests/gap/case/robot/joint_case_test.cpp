@@ -44,6 +44,23 @@ TEST_F(JointCase, OfARecordingThatWasCutOffHasAWarning) {
   EXPECT_THAT(notes.warnings.front(), testing::StartsWith(file("cut.csv") + logs::kNoEnd));
 }
 
+// A part begins with the row of its first new goal; the joint rests where it was held until then.
+TEST_F(JointCase, BeginsAtTheGoalOfTheRowBefore) {
+  std::ofstream{file("swing.csv")} << recordedSwing(0, {}, "50");
+  writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
+  const Case made = readCase(file("case"));
+  ASSERT_EQ(made.logs.size(), 1U);
+  const Trajectory& log = made.logs[0];
+  ASSERT_GT(std::abs(log.goal_rad[0] - *log.goal_before_rad), 0.6);
+  Trace trace;
+  rollOut(made, 0, baselineOf(made), {}, trace);
+  double sum = 0;
+  constexpr std::size_t kFirst = 10;
+  for (std::size_t row = 0; row < kFirst; ++row)
+    sum += std::pow(trace[kPositionSignal][row] - log.position_rad[row], 2);
+  EXPECT_LT(std::sqrt(sum / kFirst), 0.01) << "the body stands free: without what was held it is 0.4";
+}
+
 // The clock of a recording is the computer's, which may have run for days.
 TEST_F(JointCase, ASessionBeginsWithItsFirstRecording) {
   constexpr double kDays = 2e5;  // s
@@ -108,7 +125,7 @@ TEST_F(JointCase, EachRecordingHasItsOwnArm) {
   std::ofstream{file("upright.csv")} << recordedSwing();
   std::ofstream{file("leaning.csv")} << withAccelerometer(recordedSwing(), "6.9,0,6.9");
   const std::vector<std::string> said =
-      writeJointCase({.recordings = {file("upright.csv"), file("leaning.csv")}, .held_out = {}}, file("case"));
+      writeJointCase({.recordings = {file("upright.csv"), file("leaning.csv")}, .held_out = {}}, file("case")).logs;
   const Case made = readCase(file("case"));
   ASSERT_EQ(made.logs.size(), 2U);
   EXPECT_LT(made.logs[1].length_m.value() * made.logs[1].payload_kg,
@@ -132,7 +149,7 @@ TEST_F(JointCase, HangsWhereItHangsWhateverItsModelSaysOfTheSensor) {
                                     "accel_bias = 0.5, 0, 0 m/s2\naccel_scale = 1, 1, 1.1\n";
   const auto hangs = [&](const std::string& recording, const std::string& model) {
     const std::string said =
-        writeJointCase({.model = model, .recordings = {file(recording)}, .held_out = {}}, file("case")).at(0);
+        writeJointCase({.model = model, .recordings = {file(recording)}, .held_out = {}}, file("case")).logs.at(0);
     return said.substr(said.find("kg m2"));
   };
   EXPECT_EQ(hangs("read.csv", file("own.ini")), hangs("true.csv", "darwin-op"));

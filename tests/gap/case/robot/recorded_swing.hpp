@@ -15,6 +15,7 @@
 namespace darwinop::gap {
 
 inline constexpr double kRowTime = 0.016;
+inline constexpr double kSwings = 3;  // s; the shoulder holds 0 until then
 inline constexpr std::array<double, 3> kUpright{0, 0, 9.81};
 
 inline std::string nameOf(std::size_t joint) {
@@ -22,8 +23,10 @@ inline std::string nameOf(std::size_t joint) {
 }
 
 /// What the runtime would have recorded of the twin: the right arm is stretched, swings at the shoulder, and goes limp.
-/// `began_s`: of the recording's clock. `silent`: a joint that is neither driven nor answers.
-inline std::string recordedSwing(double began_s = 0, std::optional<Joint> silent = {}) {
+/// `began_s`: of the recording's clock. `silent`: a joint that is neither driven nor answers. `profile`: a speed limit
+/// that is far away, asked for until the shoulder swings.
+inline std::string recordedSwing(double began_s = 0, std::optional<Joint> silent = {},
+                                 const std::string& profile = "") {
   twin::RobotBody body{twin::readModel(twin::findModel("darwin-op"))};
   Drives drives;
   for (std::size_t i = 0; i < kJoints; ++i)
@@ -52,14 +55,15 @@ inline std::string recordedSwing(double began_s = 0, std::optional<Joint> silent
     drives[index(Joint::kArmUpperR)].goal_rad = share * -0.65;
     drives[index(Joint::kArmLowerR)].goal_rad = share * -1.55;
     if (t < 1.5) shoulder.goal_rad *= 1 - kRowTime / (1.5 - t + kRowTime);
-    if (t > 3) shoulder.goal_rad = t < 3.8 ? 0.7 : t < 4.6 ? -0.3 : 0.9;
+    if (t > kSwings) shoulder.goal_rad = t < 3.8 ? 0.7 : t < 4.6 ? -0.3 : 0.9;
     shoulder.torque_on = t < 5.5;
     for (std::size_t i = 0; i < kJoints; ++i)
       text += static_cast<Joint>(i) == silent
                   ? ",,"
                   : (drives[i].torque_on ? number(drives[i].goal_rad) : ",") + number(state.joint[i].position_rad);
     const JointMotion& reading = state.joint[index(Joint::kShoulderR)];
-    text += ",4,," + std::to_string(reading.velocity_rad_s) + number(reading.load) + ",,30\n";
+    text += ",4," + (t > kSwings ? "" : profile) + "," + std::to_string(reading.velocity_rad_s) + number(reading.load) +
+            ",,30\n";
     for (int ms = 0; ms < 16; ++ms) body.step(std::chrono::milliseconds{1}, drives);
   }
   return text + "# end\n";
