@@ -37,12 +37,10 @@ inline double GoalWriter::strainAt(std::size_t joint, std::uint16_t limit) const
 
 void GoalWriter::repeatLimit(Joint joint, NewtonMeter found) noexcept {
   Servo& servo = servo_[index(joint)];
-  const std::uint16_t has = stall_.limitRegister(joint, found);
-  if (servo.entering > 0 || servo.torque_due > 0 || servo.repeats == 0 || has == 0) return;
+  const bool has_shut_off = stall_.limitRegister(joint, found) == 0;
+  if (servo.entering > 0 || servo.torque_due > 0 || servo.repeats == 0 || has_shut_off) return;
   --servo.repeats;
   servo.torque_due = kWrites;
-  sent_[index(joint)] = has;
-  servo.strain = std::min(servo.strain, strainAt(index(joint), has));
 }
 
 void GoalWriter::noteSettings(Joint joint, const SafeCommands::JointGoal& goal) noexcept {

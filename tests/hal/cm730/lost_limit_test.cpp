@@ -65,19 +65,5 @@ TEST_F(LostLimit, IsSentThreeTimesMoreToAServoThatDoesNotStoreIt) {
   EXPECT_EQ(limitsIn(25), 2) << "it was stored in the meantime";
 }
 
-TEST_F(LostLimit, GoesAloneIfTheServoWorksAtTheLimitThatItHas) {
-  asked.drive(kArm, Rad{0}, RadPerSec{12.2}, kBefore);
-  EXPECT_EQ(limitsIn(50), 2);
-  writer.noteLimit(kArm, kAsked);
-  writer.noteLoad(kArm, 0.9 * kAsked.value / kMaxTorqueNm);
-  bool alone = false;
-  for (int i = 0; i < 2 * GoalWriter::kTorqueEvery; ++i) {
-    EXPECT_NE(writer.encode(asked.commands).size(), kWithLimits);
-    (void)writer.takeSecond();
-    alone |= writer.limitsWentAlone();
-  }
-  EXPECT_TRUE(alone);
-}
-
 }  // namespace
 }  // namespace darwinop::cm730
