@@ -47,10 +47,10 @@ class ChildSignal {
   sigset_t set_, before_;
 };
 
-process::Ending endAfterHangUp(process::ChildProcess& controller, const HangUp& hang_up) {
+void endAfterHangUp(process::ChildProcess& controller, const HangUp& hang_up) {
   std::cerr << "the terminal is closed and the controller does not end: it is ended now" << std::endl;
   controller.signal(SIGINT);
-  return controller.waitOrKill(hang_up.last_grace);
+  (void)controller.waitOrKill(hang_up.last_grace);
 }
 
 }  // namespace

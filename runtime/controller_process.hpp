@@ -9,7 +9,7 @@
 
 namespace darwinop::runtime {
 
-/// After the terminal was closed (SIGHUP) nobody can press Ctrl-C again. A controller that has not ended after `grace`,
+/// A closed terminal (SIGHUP) sends no second Ctrl-C. A controller that has not ended after `grace`,
 /// or once its joints have no torque if that is later, gets SIGINT, and SIGKILL after `last_grace`.
 struct HangUp {
   std::chrono::milliseconds grace{10'000};

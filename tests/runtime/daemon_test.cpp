@@ -1,4 +1,4 @@
-// The loop in a process of its own: who may drive, and what happens when somebody is killed.
+// The loop in a process of its own: who may drive, and what happens when one of the processes is killed.
 #include "runtime/daemon.hpp"
 
 #include <gmock/gmock.h>
@@ -15,8 +15,7 @@
 #include <thread>
 #include <tuple>
 
-#include "child.hpp"
-#include "fake_bus.hpp"
+#include "daemon_fixture.hpp"
 #include "runtime/daemon_link.hpp"
 #include "runtime/fault_announcer.hpp"
 #include "runtime/messages.hpp"
@@ -28,89 +27,8 @@ namespace darwinop::runtime {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::AllOf;
-using testing::ContainsRegex;
 using testing::HasSubstr;
-using testing::Not;
 using testing::StartsWith;
-
-std::atomic<bool> end_requested{false};
-
-// Exit codes of the child.
-constexpr int kLostAtRest = 3, kLeftStiff = 4;
-
-struct Cables {
-  bool power, unplugged;
-  double volt = 11.8;
-};
-
-/// A daemon with a fake robot, 4 ms, in a child process.
-class DaemonTest : public testing::Test {
- protected:
-  static void serve(const RuntimeFiles& files, std::unique_ptr<Daemon>& daemon, Cables cables = {true, false}) {
-    LoopConfig config;
-    config.period = 4ms;
-    config.port = "a fake";
-    const auto robot = std::make_shared<FakeRobot>();
-    robot->power = cables.power;
-    robot->unplugged = cables.unplugged;
-    robot->volt = cables.volt;
-    daemon = std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(),
-                                      std::make_unique<FakeBus>(robot));
-    std::signal(SIGTERM, [](int) { end_requested = true; });
-    std::thread{[&daemon, robot] {
-      int status = 0;
-      try {
-        (void)daemon->run(end_requested);
-      } catch (const std::runtime_error& error) {
-        std::cerr << error.what() << std::endl;
-        status = kLostAtRest;
-      }
-      daemon.reset();
-      if (std::ranges::find(robot->torque, true) != robot->torque.end()) status = kLeftStiff;
-      _exit(status);
-    }}.detach();
-  }
-
-  static Commands neckTo(double angle) {
-    Commands commands;
-    commands.start_where_it_is = true;
-    commands.joint[index(Joint::kNeck)].setGoal(Rad{angle});
-    return commands;
-  }
-
-  /// Drives until the robot obeys and the neck is there.
-  static void drive(DaemonLink& link, double neck, const std::atomic<bool>& stop) {
-    for (int i = 0; i < 2000; ++i) {
-      link.publish(neckTo(neck));
-      ASSERT_TRUE(link.waitForCycle(link.sensors().cycle + 1, stop)) << link.whyEnded();
-      if (std::abs(link.sensors().joint[index(Joint::kNeck)].position.value - neck) < 1e-6) return;
-    }
-    FAIL() << "the neck did not get there";
-  }
-
-  std::string refusal() const {
-    try {
-      const DaemonLink link{files_};
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "accepted";
-  }
-
-  /// The daemon records what it sees within a moment.
-  static bool recorded(const std::string& marker, bool set) {
-    for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(10ms))
-      if (textOf(marker) == (set ? "1\n" : "0\n")) return true;
-    return false;
-  }
-
-  TemporaryFolder folder_;
-  RuntimeFiles files_{folder_ / "runtime"};
-  std::unique_ptr<Daemon> daemon_;  // lives in the child
-  Child child_{[this] { serve(files_, daemon_); }};
-  std::atomic<bool> stop_{false};
-};
 
 TEST_F(DaemonTest, LetsAControllerDrive) {
   DaemonLink link{files_};
@@ -218,116 +136,6 @@ TEST_F(DaemonTest, OnRequestTheControllerMayFinishBeforeItEnds) {
   drive(*link, 0.2, stop_);
   link.reset();
   EXPECT_EQ(child_.exitStatus(), 0) << "the robot is limp";
-}
-
-TEST_F(DaemonTest, AnOperatorCanReleaseTheRobotUnderAController) {
-  DaemonLink link{files_};
-  drive(link, 0.1, stop_);
-  releaseRobot(files_);
-  EXPECT_FALSE(link.waitForCycle(link.sensors().cycle + 1000, stop_));
-  EXPECT_EQ(link.whyEnded(), messages::kRobotReleased);
-  const Exchange observer = attachToDaemon(files_);
-  Sensors seen;
-  for (int i = 0; i < 500 && seen.safety.active.none(); ++i) {
-    std::this_thread::sleep_for(10ms);
-    (void)observer.block().sensors.read(seen);
-  }
-  EXPECT_THAT(daemonStatus(files_), HasSubstr("fault         33 released_by_operator"));
-}
-
-TEST_F(DaemonTest, ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs) {
-  const auto comes = [this](Fault fault) {
-    for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(10ms))
-      if (daemonStatus(files_).find(" " + std::string{row(fault).name} + ":") != std::string::npos) return true;
-    return false;
-  };
-  releaseRobot(files_);
-  ASSERT_TRUE(comes(Fault::kReleasedByOperator));
-  ASSERT_TRUE(recorded(files_.released, true));
-  child_.kill(SIGKILL);
-
-  std::unique_ptr<Daemon> daemon;
-  const Child again{[&] { serve(files_, daemon); }};
-  EXPECT_TRUE(comes(Fault::kReleasedByOperator));
-  resetFaults(files_);
-  EXPECT_TRUE(recorded(files_.released, false));
-  EXPECT_THAT(daemonStatus(files_), ContainsRegex("faults +none\n"));
-}
-
-TEST_F(DaemonTest, ARobotWhoseCableIsOutIsNotReportedAsReleased) {
-  child_.kill(SIGKILL);
-  std::unique_ptr<Daemon> daemon;
-  const Child again{[&] { serve(files_, daemon, {.power = true, .unplugged = true}); }};
-  try {
-    releaseRobot(files_);
-    ADD_FAILURE() << "its servos hold their last goals";
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), messages::kReleasedInSilence);
-  }
-}
-
-std::string errorOf(void (*request)(const RuntimeFiles&), const RuntimeFiles& files) {
-  try {
-    request(files);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return {};
-}
-
-TEST_F(DaemonTest, AResetReportsAFaultWhoseCausePersistsAndClearsTheOthers) {
-  child_.kill(SIGKILL);
-  std::unique_ptr<Daemon> daemon;
-  const Child again{[&] { serve(files_, daemon, {.power = true, .unplugged = false, .volt = 9.5}); }};
-  releaseRobot(files_);
-  for (int i = 0; i < 500 && daemonStatus(files_).find("battery_empty:") == std::string::npos; ++i)
-    std::this_thread::sleep_for(10ms);
-  const FaultRow& empty = row(Fault::kBatteryEmpty);
-  EXPECT_THAT(errorOf(resetFaults, files_),
-              AllOf(StartsWith(messages::kCausesPersist), HasSubstr(std::string{empty.meaning}),
-                    HasSubstr(std::string{empty.remedy}), Not(HasSubstr("released_by_operator"))));
-  EXPECT_EQ(errorOf(requestFaultReset, files_), "") << "it does not wait";
-}
-
-TEST_F(DaemonTest, AResetFailsWhileTheLoopHangs) {
-  releaseRobot(files_);
-  kill(child_.pid(), SIGSTOP);
-  EXPECT_THAT(errorOf(resetFaults, files_), HasSubstr(messages::kLoopHangs));
-  kill(child_.pid(), SIGCONT);
-}
-
-TEST_F(DaemonTest, AFifoInThePlaceOfItsRecordMeansAReleaseUntilAPersonActs) {
-  child_.kill(SIGKILL);
-  ASSERT_EQ(unlink(files_.released.c_str()), 0);
-  ASSERT_EQ(mkfifo(files_.released.c_str(), 0666), 0);
-  std::unique_ptr<Daemon> daemon;
-  const Child again{[&] { serve(files_, daemon); }};
-  for (int i = 0; i < 500 && daemonStatus(files_).find("released_by_operator:") == std::string::npos; ++i)
-    std::this_thread::sleep_for(10ms);
-  EXPECT_THAT(daemonStatus(files_), HasSubstr("released_by_operator:"));
-  resetFaults(files_);
-  EXPECT_TRUE(recorded(files_.released, false));
-}
-
-/// RESET was pressed while no loop ran, or so shortly before that the dead one could not notice.
-TEST_F(DaemonTest, ServoPowerThatIsFoundOffAfterADaemonThatDroveIsARelease) {
-  const auto status_of = [this](bool held) {
-    std::unique_ptr<Daemon> daemon;
-    if (!held) RobotNotes::forget(files_);
-    const Child next{[&] { serve(files_, daemon, {.power = false, .unplugged = false}); }};
-    for (int i = 0; i < 500 && daemonStatus(files_).find("limp") == std::string::npos; ++i)
-      std::this_thread::sleep_for(10ms);
-    std::this_thread::sleep_for(100ms);
-    return daemonStatus(files_);
-  };
-  {
-    DaemonLink link{files_};
-    drive(link, 0.2, stop_);
-    ASSERT_TRUE(recorded(files_.held, true));
-    child_.kill(SIGKILL);
-  }
-  EXPECT_THAT(status_of(true), HasSubstr("board_reset"));
-  EXPECT_THAT(status_of(false), Not(HasSubstr("board_reset"))) << "a board that was just switched on";
 }
 
 TEST_F(DaemonTest, ReportsAFaultWhenItBeginsAndWhenItIsOver) {

@@ -215,8 +215,8 @@ TEST_F(OnTheTwin, AFallIsReportedByTheStatusOfTheDaemon) {
 
 TEST_F(OnTheTwin, AModelThatIsNotThereEndsAllProgramsWithTheSentenceThatNamesTheOthers) {
   const std::vector<std::pair<std::vector<std::string>, int>> commands{
-      {{program("darwinop-run"), "--robot", "twin:nobody", controller()}, 1},  // the controller's status
-      {{program("darwinop-virtual-robot"), "--body", "twin:nobody"}, 2}};
+      {{program("darwinop-run"), "--robot", "twin:missing", controller()}, 1},  // the controller's status
+      {{program("darwinop-virtual-robot"), "--body", "twin:missing"}, 2}};
   for (const auto& [command, status] : commands) {
     Program running{command, file("run.txt")};
     EXPECT_EQ(running.wait(seconds{20}), status);

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "hal/byte_line.hpp"
 #include "remote/protocol/units.hpp"
 #include "scripted_server.hpp"
 
