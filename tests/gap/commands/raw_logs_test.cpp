@@ -189,7 +189,8 @@ TEST(RealServo, LeavesOpenWhatOnlyFullDutyDecides) {
   const Outcome outcome = shell(kRun + sharedData("real-servo").string() + " --no-open --report " + report);
   EXPECT_EQ(outcome.status, kAmbiguous) << outcome.said;
   const auto json = nlohmann::json::parse(textOf(report + "/report.json"));
-  EXPECT_THAT(json["ambiguity"][0], testing::UnorderedElementsAre("quadratic_load_friction", "torque_limit"));
+  EXPECT_THAT(json["ambiguity"][0], testing::IsSupersetOf({"quadratic_load_friction", "torque_limit"}));
+  EXPECT_LE(json["ambiguity"][0].size(), 3U) << "a set of more separates nothing";
   for (const auto& effect : json["effects"]) {
     EXPECT_NE(effect["id"], "supply_sag");
     if (effect["id"] == "kp_scale") {
