@@ -146,6 +146,7 @@ RC_GTEST_PROP(GuardProperty, AJointEntersWhereItIsAlthoughReadingsAreCorrupted, 
   Commands commands;
   commands.session = 1;
   std::bitset<kJoints> driven_before;
+  std::bitset<kJoints> was_wrong;
   std::array<double, kJoints> last_goal{};
   last_goal.fill(1e9);
   for (int cycle = 0; cycle < 1000; ++cycle) {
@@ -159,12 +160,15 @@ RC_GTEST_PROP(GuardProperty, AJointEntersWhereItIsAlthoughReadingsAreCorrupted, 
     for (std::size_t i = 0; i < kJoints; ++i) {
       FakeServo& s = robot.servo[i];
       s.answers = s.answers ? !rng.one(200) : rng.one(40);
-      // Never two in a row, and by more than a joint moves in a cycle: a smaller one is indistinguishable from a
-      // motion.
-      s.corruption = cycle % 3 == static_cast<int>(i % 3) && rng.one(3) ? rng.number(0.25, 1) : 0;
+      // Never two readings in a row, also with silence between them, and by more than a joint moves in a cycle: a
+      // smaller one is indistinguishable from a motion.
+      const bool is_wrong = s.answers && !was_wrong[i] && rng.one(9);
+      if (s.answers) was_wrong[i] = is_wrong;
+      s.corruption = is_wrong ? rng.number(0.25, 1) : 0;
       if (rng.one(100)) commands.joint[i].setTorque(!rng.one(3));
       if (rng.one(100)) commands.joint[i].setGoal(Rad{rng.number(-1, 1)});
-      if (!s.torque && rng.one(50)) s.position += rng.number(-0.3, 0.3);
+      // By hand: together with a corrupted reading still more than a joint moves in a cycle, 0.196 rad.
+      if (!s.torque && rng.one(50)) s.position += rng.number(-0.05, 0.05);
     }
     robot.cycle(safe);
   }
