@@ -334,8 +334,9 @@ inline constexpr double kSlowNoiseShare = 0.4;
 /// Factor on these modes: where a released arm comes to rest depends on how a simulator lets dry friction stick. At 1.1
 /// the arms of another simulator's robots diverged by some 3 sigma. No evidence for 3 against 2.
 inline constexpr double kReleasedFactor = 3;
-/// rad from a mechanical stop where a limp joint has met it; s after which a servo has caught a limb again. An arm that
-/// fell on its stop lay 10 mrad off in another simulator, which looked like an offset of its encoder.
+/// rad from a mechanical stop where a limp joint has met it, and by which it has then been moved away; s after which a
+/// servo has caught a limb again. An arm that fell on its stop lay 10 mrad off in another simulator, and 3 mrad off in
+/// its own exact model for as long as it was held there: both looked like an offset of its encoder.
 inline constexpr double kStopMargin = 0.05, kCaught = 0.3;
 /// Prior standard deviations of a difference step of a limb's numbers.
 inline constexpr double kPriorStep = 1;

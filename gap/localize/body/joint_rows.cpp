@@ -1,5 +1,6 @@
 // Controller and supply of each joint, from its own signals.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/registers.hpp"
@@ -34,6 +35,29 @@ void useBoardSupply(const BodyLog& log, BlockResiduals& samples) {
   }
 }
 
+/// A servo and the board look at the supply at different moments of a cycle, in which the current of all servos
+/// changes: how far apart that takes them is what the other servos show.
+void widenByOtherServos(std::vector<BlockResiduals>& samples) {
+  struct Moments {
+    double n = 0, sum = 0, squares = 0;
+  };
+  std::array<Moments, kJoints> of_joint;
+  Moments all;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    for (const double residual : samples[i].residual) {
+      if (std::isnan(residual)) continue;
+      for (Moments* const to : {&of_joint[i % kJoints], &all})
+        to->n += 1, to->sum += residual, to->squares += residual * residual;
+    }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Moments& own = of_joint[i % kJoints];
+    const double n = all.n - own.n;
+    if (n == 0) continue;
+    const double mean = (all.sum - own.sum) / n, variance = (all.squares - own.squares) / n - mean * mean;
+    for (double& sigma : samples[i].sigma) sigma = std::max(sigma, std::sqrt(std::max(variance, 0.0)));
+  }
+}
+
 /// Residuals of one block in each of `logs`; z after what numbers inside their priors explain, the same for all servos.
 std::vector<BlockResiduals> samplesOf(Block block, const BodyCase& given, const std::vector<std::size_t>& logs,
                                       bool has_board_supply) {
@@ -45,11 +69,11 @@ std::vector<BlockResiduals> samplesOf(Block block, const BodyCase& given, const 
   forEach(logs.size(), [&](std::size_t i) {
     samples[i] = cut(given.joints.logs[logs[i]], robot);
     if (block == Block::kSupply && has_board_supply) useBoardSupply(given.logs[logs[i] / kJoints], samples[i]);
-    for (Eigen::Index k = 0; k < samples[i].z.size(); ++k) {
-      const double residual = samples[i].residual[k];
-      samples[i].z[k] = std::isnan(residual) ? 0 : residual / samples[i].sigma[k];
-    }
   });
+  if (block == Block::kSupply && has_board_supply) widenByOtherServos(samples);
+  for (BlockResiduals& of : samples)
+    for (Eigen::Index k = 0; k < of.z.size(); ++k)
+      of.z[k] = std::isnan(of.residual[k]) ? 0 : of.residual[k] / of.sigma[k];
   // Of the numbers with a prior, only this one is in a block: motor and load are in the plant.
   std::vector<Unknown> numbers = nuisancesOf(given.joints, robot);
   std::erase_if(numbers,

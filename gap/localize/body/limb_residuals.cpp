@@ -3,34 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "gap/localize/body/row_law.hpp"
+#include "gap/localize/body/stop_contact.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-/// Rows in which a limp joint of the limb has met a mechanical stop, until its servo has caught it and brought it back:
-/// how a stop gives and throws back is not modelled, and on the way back the joint is off by as much.
-std::vector<bool> afterStop(const BodyCase& given, std::size_t log, const Limb& limb) {
-  std::vector<bool> out(given.logs[log].rows(), false);
-  for (const Link& link : limb) {
-    const Trajectory& joint = given.joint(log, static_cast<std::size_t>(link.joint));
-    bool has_met = false;
-    double on_since = 0;
-    for (std::size_t row = 0; row < joint.rows(); ++row) {
-      const double position = joint.position_rad[row];
-      const bool is_near = std::min(position - link.low_rad, link.high_rad - position) < thresholds::kStopMargin;
-      if (joint.torque_on[row] == 0) has_met = has_met || is_near;
-      const bool is_on_its_way = has_met && std::abs(joint.goal_rad[row] - position) > thresholds::kStopMargin;
-      if (joint.torque_on[row] == 0 || is_on_its_way) on_since = joint.time_s[row];
-      if (joint.time_s[row] - on_since > thresholds::kCaught) has_met = false;
-      out[row] = out[row] || has_met;
-    }
-  }
-  return out;
-}
 
 bool sameCommands(const BodyCase& given, const Limb& limb, std::size_t a, std::size_t b) {
   if (given.logs[a].up != given.logs[b].up || given.logs[a].battery_v != given.logs[b].battery_v) return false;
@@ -68,9 +49,11 @@ LimbResiduals::LimbResiduals(const BodyCase& given, std::vector<std::size_t> log
         size += rows;
       }
   measured_.resize(size);
+  std::map<std::size_t, std::vector<std::vector<bool>>> lost;
+  for (const std::size_t log : logs_) lost[log] = lostAtStops(given, log, limb_);
   for (const LimbSamples& block : blocks_) {
     const Trajectory& rows = given.joint(block.log, jointOf(block));
-    const std::vector<bool> is_lost = afterStop(given, block.log, limb_);
+    const std::vector<bool>& is_lost = lost.at(block.log)[static_cast<std::size_t>(block.joint)];
     for (Eigen::Index row = 0; row < block.rows; ++row) {
       const auto r = static_cast<std::size_t>(row);
       measured_[block.begin + row] =

@@ -133,6 +133,23 @@ TEST(BodyLocate, ABatteryWithAResistanceSuppliesWhatTheBoardMeasures) {
   }
 }
 
+TEST(BodyLocate, ServosThatSeeAnotherMomentOfTheSupplyThanTheBoardAreClosedAndOneThatSagsIsNot) {
+  for (const double sag_v : {0.0, 0.5}) {
+    SyntheticRobot robot;
+    robot.servo_sag_v = sag_v;
+    BodyCase given = BodyTexts{robot}.read();
+    given.joints.model.body.battery_resistance_ohm = 0.5;
+    for (BodyLog& log : given.logs) log.board_v.assign(log.rows(), log.battery_v);
+    for (Trajectory& joint : given.joints.logs)
+      for (std::size_t row = 0; row < joint.rows(); ++row) joint.volt_v[row] -= row % 16 == 0 ? 0.2 : 0;
+    const BodyTable table = localize(given, RestingImu{given.joints.model});
+    if (sag_v == 0)
+      EXPECT_THAT(openSignals(table), IsEmpty());
+    else
+      EXPECT_THAT(openSignals(table), ElementsAre(std::string{kJointTable[3].name} + ".voltage"));
+  }
+}
+
 TEST(BodyLocate, WithoutAClampedLogTheSensorIsNotTested) {
   SyntheticRobot robot;
   robot.gyro_bias = {0, 1, 0};
