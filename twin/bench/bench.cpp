@@ -49,6 +49,16 @@ void Bench::reset(const BenchOptions& options) {
   sine_ = {};
   transmission_.reset(position_, velocity_, rotor_kgm2_);
   steps_ = options.steps_per_period;
+  if (options.is_settled && servo_.softGear()) settle();
+}
+
+/// The weight at an angle bends the gears, which changes the angle: a spring that holds an arm changes it by less and
+/// less.
+void Bench::settle() noexcept {
+  constexpr int kMostRounds = 50;
+  const double reading = position_;
+  for (int round = 0; round < kMostRounds; ++round)
+    position_ = transmission_.rest(servo_.signals(), reading, -gravityAt(position_), rotor_kgm2_);
 }
 
 void Bench::step(const ServoDrive& drive) noexcept {

@@ -31,6 +31,9 @@ struct BenchOptions {
   double start_rad_s = 0;
   std::optional<double> goal_rad = {};  // where the servo's goal has been; none: start_rad
   double session_time_s = 0;
+  // The arm has come to rest in its gears: play and spring are as far apart as its weight takes them, and the encoder
+  // reads start_rad. Without it they begin at the same angle, and a heavy arm swings on a spring.
+  bool is_settled = false;
 };
 
 /// One servo, one pendulum:
@@ -64,6 +67,7 @@ class Bench {
 
  private:
   [[nodiscard]] double gravityAt(double position_rad) noexcept;
+  void settle() noexcept;
   void stepRigid(int steps) noexcept;
   void stepShaft(double h) noexcept;
   double jumpTime(double period) noexcept;

@@ -42,6 +42,13 @@ void Transmission::reset(double position_rad, double velocity_rad_s, double roto
   rotor_kgm2_ = std::max(rotor_kgm2, kMinInertia);
 }
 
+double Transmission::rest(const Signals& s, double encoder_rad, double torque_nm, double rotor_kgm2) noexcept {
+  const bool is_elastic = std::isfinite(s.flex_stiffness_nm_rad);
+  const double bend = torque_nm / spring(s).stiffness, arm = is_elastic ? encoder_rad - bend : encoder_rad;
+  reset(arm + bend + std::copysign(s.backlash_rad / 2, torque_nm), 0, rotor_kgm2);
+  return arm;
+}
+
 double Transmission::armInertia(double arm_kgm2) const noexcept {
   return std::max(arm_kgm2, kMinArmShare * rotor_kgm2_);
 }

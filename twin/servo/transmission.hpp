@@ -24,6 +24,10 @@ class Transmission {
   /// Initial state: gears and arm at the same position and velocity. `rotor_kgm2`: armature including effects.
   void reset(double position_rad, double velocity_rad_s, double rotor_kgm2) noexcept;
 
+  /// Initial state at rest: the encoder reads `encoder_rad`, and gears and arm are as far apart as it takes to exert
+  /// `torque_nm` on the arm. Returns the position of the arm.
+  double rest(const Signals& s, double encoder_rad, double torque_nm, double rotor_kgm2) noexcept;
+
   /// Integrates the gear side over one mechanical step, in sub-steps if the spring requires them. The arm's motion
   /// within the step is predicted from its inertia and the external torque. Returns the mean torque on the arm.
   double step(Servo& servo, const ArmMotion& arm, double dt_s) noexcept;

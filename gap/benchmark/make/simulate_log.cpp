@@ -52,7 +52,8 @@ class Session {
     temperature_c_ = plan.warmth.at(session_s_);
     arm_.reset({.steps_per_period = kSoftSteps,
                 .start_rad = held ? log.goal_rad[0] : log.position_rad[0],
-                .session_time_s = session_s_});
+                .session_time_s = session_s_,
+                .is_settled = true});
     for (long i = std::lround(before_s / period_s_); i > 0; --i) step();
   }
 

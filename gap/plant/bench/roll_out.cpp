@@ -79,7 +79,8 @@ class Run {
     bench_.reset({.steps_per_period = stepsFor(hypothesis),
                   .start_rad = startRad(hypothesis),
                   .goal_rad = held_,
-                  .session_time_s = log_.session_start_s - (held_ ? kHeldBefore : 0)});
+                  .session_time_s = log_.session_start_s - (held_ ? kHeldBefore : 0),
+                  .is_settled = true});
     registered_rad_ = bench_.encoder_rad();
     if (held_)
       for (long i = std::lround(kHeldBefore / period_s_); i > 0; --i) step();

@@ -50,23 +50,23 @@ LimbSimulation::LimbSimulation(const BodyCase& given, std::size_t log, const Lim
     servos_[k].reset(reading, given.logs[log].session_start_s - kHeldBefore);
     gears_.emplace_back();
     soft_.push_back(servos_[k].softGear());
-    if (soft_[k]) {
-      gears_[k].reset(reading, 0, armature_[i]);
-      steps_ = static_cast<int>(std::ceil(period_ / kElasticStep - 1e-9));
-    }
+    if (soft_[k]) steps_ = static_cast<int>(std::ceil(period_ / kElasticStep - 1e-9));
   }
   drives_.resize(links_.size());
-  if (given.joint(log, static_cast<std::size_t>(links_.front().joint)).isReadAfterWrite()) restOnFlanks();
+  if (std::ranges::find(soft_, true) != soft_.end()) settleGears(position_ + offset_);
 }
 
-/// Where a joint with play was measured at rest, its teeth touch on the side on which they carry the limb.
-void LimbSimulation::restOnFlanks() {
-  const LimbVector needed = LimbDynamics{links_, position_, velocity_, gravity_}.bias;
-  for (Eigen::Index i = 0; i < n_; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double play = servos_[k].signals().backlash_rad;
-    if (soft_[k] && play > 0)
-      gears_[k].reset(position_[i] + offset_[i] + std::copysign(play / 2, needed[i]), 0, armature_[i]);
+/// At rest, play and spring of a gear are as far apart as it takes to carry the limb. What a spring gives changes the
+/// pose by less and less.
+void LimbSimulation::settleGears(const LimbVector& readings) {
+  constexpr int kRounds = 10;
+  for (int round = 0; round < kRounds; ++round) {
+    const LimbVector needed = LimbDynamics{links_, position_, velocity_, gravity_}.bias;
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (soft_[k])
+        position_[i] = gears_[k].rest(servos_[k].signals(), readings[i], needed[i], armature_[i]) - offset_[i];
+    }
   }
 }
 

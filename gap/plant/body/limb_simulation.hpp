@@ -36,7 +36,7 @@ class LimbSimulation {
   [[nodiscard]] double period_s() const { return period_; }
 
  private:
-  void restOnFlanks();
+  void settleGears(const LimbVector& readings);
   void mechanicalStep(double dt);
 
   Limb links_;

@@ -77,6 +77,25 @@ TEST(BodyMechanics, DryFrictionHoldsOneOfTwoCoupledJointsAndBrakesTheOther) {
   EXPECT_NEAR(momentum[1], impulses.friction[1], 1e-9);
 }
 
+TEST(BodyMechanics, ALimbOnSoftGearsBeginsWhereItWasMeasuredAtRest) {
+  BodyCase held = movingRobot(shippedRobot());
+  for (Trajectory& joint : held.joints.logs) {
+    std::ranges::fill(joint.goal_rad, joint.goal_rad.front());
+    joint.written_s = joint.read_s = std::vector<double>(joint.rows(), 0.0);
+  }
+  const std::vector<Limb> limbs = limbsOf(held.joints.model);
+  const Limb& arm = *std::ranges::find(limbs, Joint::kShoulderR, [](const Limb& limb) { return limb.front().joint; });
+  Trajectory& shoulder = held.joints.logs[static_cast<std::size_t>(Joint::kShoulderR)];
+  const double rest = rollOut(held, 0, arm, shippedRobot()).position_rad(0, 0);
+  std::ranges::fill(shoulder.position_rad, rest);
+  for (const auto& [id, values] : {std::pair{"joint_flex", std::vector{5.0, 0.001}}, {"backlash", {0.03}}}) {
+    BodyHypothesis soft = shippedRobot();
+    soft.servos.with(*twin::findEffect(id), at(Joint::kShoulderR)).values = values;
+    const LimbTrace trace = rollOut(held, 0, arm, soft);
+    for (const double position : trace.position_rad.col(0)) EXPECT_NEAR(position, rest, 1e-3) << id;
+  }
+}
+
 TEST(BodyMechanics, ARobotLikeItsModelHasNoName) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const BodyIdentification answer = identify(movingRobot(shippedRobot(), seed));

@@ -112,6 +112,23 @@ TEST(Transmission, TheEncoderMeasuresTheArmWithinThePlay) {
   EXPECT_NEAR(bench.servo().report().position_rad, bench.position_rad(), kRadPerTick / 2);
 }
 
+// Limp and held by the friction of its gears, for which an arm that begins on unbent gears falls and swings.
+TEST(Transmission, ASettledArmStaysWhereItIs) {
+  for (const bool has_play : {true, false})
+    for (const double start : {0.5, -0.5}) {
+      auto soft = has_play ? effect("backlash", {0.03}) : effect("joint_flex", {5, 0.001});
+      Bench bench{mx28(), with(std::move(soft), friction(10, 0)), kArm};
+      bench.reset({.start_rad = start, .is_settled = true});
+      EXPECT_NEAR(bench.encoder_rad(), start, 1e-9);
+      const double arm = bench.position_rad();
+      while (bench.time_s() < 1) {
+        bench.step(kLimp);
+        ASSERT_NEAR(bench.position_rad(), arm, 1e-6) << has_play;
+        ASSERT_NEAR(bench.encoder_rad(), start, 1e-6) << has_play;
+      }
+    }
+}
+
 // Near the lowest point the arm swings freely within the play, with its own inertia and without friction.
 TEST(Transmission, WithinThePlayTheArmIsFree) {
   Bench bench{mx28(), with(effect("backlash", {0.06}), friction(10, 0)), kArm};
