@@ -3,37 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 #include "gap/export/joints.hpp"
+#include "gap/export/replay.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plant/bench/roll_out.hpp"
-#include "gap/plant/row_state.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// Rows of a log and steps of a target are two clocks: commands come with the rows.
-void replay(const Trajectory& log, GoalOrder order, TargetJoint& joint, double step_s, std::vector<double>& position) {
-  constexpr double kSameInstant = 1e-6;  // of a step
-  const bool after_read = order == GoalOrder::kAfterRead;
-  const std::optional<double> held = heldBefore(log, order);
-  joint.reset(held.value_or(knownPosition(log, 0)));
-  if (held)
-    for (long i = std::lround(kHeldBefore / step_s); i > 0; --i) joint.step(true, *held);
-  long steps = 0;
-  position.resize(log.rows());
-  for (std::size_t row = 0, command = 0; row < log.rows(); ++row) {
-    const double time_s = log.time_s[row] - log.time_s[0];
-    const bool is_before = held && row == 0;
-    for (; static_cast<double>(steps + 1) <= time_s / step_s + kSameInstant; ++steps)
-      joint.step(is_before || log.torque_on[command] != 0, is_before ? *held : log.goal_rad[command]);
-    position[row] = joint.position_rad() + joint.velocity_rad_s() * (time_s - static_cast<double>(steps) * step_s);
-    command = after_read ? row : std::min(row + 1, log.rows() - 1);
-  }
-}
 
 struct SquareSum {
   double sum = 0;
@@ -93,9 +72,7 @@ ReMeasured remeasure(Target target, const Case& given, const Hypothesis& hypothe
     here.pendulum = armOf(given, log, hypothesis);
     here.servo.supply_v = supplyOf(given, log, hypothesis);
     const auto joint = jointOf(target, numbersOf(here, conditions), armOf(here, log.payload_kg), step_s);
-    std::vector<double> position;
-    replay(log, given.goal_order, *joint, step_s, position);
-    there[i].add(log.position_rad, position);
+    there[i].add(log.position_rad, replay(log, given.goal_order, *joint, step_s, hypothesis.servo.firmware_period_s));
   });
 
   SquareSum sums[2][2];  // fit and held out; twin and target

@@ -126,7 +126,6 @@ class Run {
   /// By what share of a period the firmware is ahead of the rows: a firmware that runs on its own is as old as its
   /// period when it is read, by chance.
   static double phaseOf(const Trajectory& log, const RollOutOptions& options) {
-    constexpr double kMeanPhase = 0.5;
     if (!log.isReadAfterWrite() || log.is_phase_known) return 0;
     return options.disturbance == nullptr ? kMeanPhase : Rng{splitMix(options.disturbance->seed)}.uniform();
   }

@@ -6,14 +6,14 @@
 #include <limits>
 
 #include "core/random.hpp"
+#include "gap/plant/bench/roll_out.hpp"
 #include "gap/plant/body/joint_alone.hpp"
 #include "gap/plant/body/limb_simulation.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kInstant = 1e-6;   // of a firmware period
-constexpr double kMeanPhase = 0.5;  // the same
+constexpr double kInstant = 1e-6;  // of a firmware period
 
 /// One recording on one hypothesis.
 class LimbRun {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "core/units.hpp"
 #include "gap/export/bodies.hpp"
@@ -103,8 +104,9 @@ TEST(ExportSemantics, TwoConstraintsShareAsTheyMust) {
   EXPECT_EQ(solveConstraints(weak, {100, 0}, {0, 0})[0], 0.01);
 }
 
-/// A log that a twin made of this hypothesis, at 16 ms.
-Case madeFrom(const Hypothesis& hypothesis) {
+/// A log that a twin made of this hypothesis, at 16 ms. `read_s`: after the write, which is 0.4 ms after the row; none:
+/// read at the row, then written.
+Case madeFrom(const Hypothesis& hypothesis, std::optional<double> read_s = {}) {
   Case made;
   made.name = "made";
   made.model.servo = hypothesis.servo;
@@ -121,6 +123,9 @@ Case madeFrom(const Hypothesis& hypothesis) {
       log.goal_rad.push_back(held_out ? 0.9 * std::sin(3 * t) : (i / 100 % 2 == 0 ? 0.8 : -0.5));
       log.torque_on.push_back(i < 330 ? 1 : 0);
       log.lines.push_back(0);
+      if (!read_s) continue;
+      log.written_s.push_back(0.0004);
+      log.read_s.push_back(0.0004 + *read_s);
     }
     for (auto* column : {&log.position_rad, &log.speed_rad_s, &log.load, &log.volt_v, &log.temp_c})
       column->assign(400, std::numeric_limits<double>::quiet_NaN());
@@ -147,6 +152,21 @@ TEST(ExportSemantics, WhatMujocoRepresentsLeavesNoGapAtASmallStep) {
   const ReMeasured usual = remeasure(Target::kMujoco, made, model.get());
   EXPECT_EQ(usual.step_s, 0.002);
   EXPECT_GT(usual.target_fit_mrad, measured.target_fit_mrad);
+}
+
+// In a recording a servo is read some milliseconds after its goal was written.
+TEST(ExportSemantics, AReadAfterItsWriteIsReplayedAtItsTime) {
+  Believed model;
+  model.friction();
+  for (const double read_s : {0.001, 0.006}) {
+    const Case made = madeFrom(model.get(), read_s);
+    ExportSettings fine = settingsFor(made);
+    fine.step_s = 0.0001;
+    const ReMeasured measured = remeasure(Target::kMujoco, made, model.get(), fine);
+    EXPECT_LT(measured.twin_fit_mrad, 1e-9);
+    EXPECT_LT(measured.target_fit_mrad, 2) << read_s;
+    EXPECT_LT(measured.target_held_out_mrad, 2) << read_s;
+  }
 }
 
 TEST(ExportSemantics, WhatWebotsCannotRepresentShowsInItsGap) {
