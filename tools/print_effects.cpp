@@ -33,8 +33,8 @@ play = 0.01 rad
 
 constexpr std::string_view kHowToRead = R"(
 Ranges of torques are those of an MX-28. A model file with a parameter outside its range, of a torque outside ten times its
-range, is refused; a search stays inside, for friction in proportion to the stall torque. At the neutral value (if not given: 0)
-the effect does nothing, to the last bit. The typical value is given if it differs. `log`: searched in its logarithm.
+range, or of another law is refused; a search stays inside, for friction in proportion to the stall torque. At the neutral
+value (if not given: 0) the effect does nothing, to the last bit. The typical value is given if it differs. `log`: searched in its logarithm.
 `secondary`: fixed at its typical value until the effect is accepted. Without a source the range is assumed.
 
 Symbols, in SI units at the horn:
@@ -101,6 +101,7 @@ void printParameter(std::ostream& out, const Parameter& p) {
   if (p.typical != p.neutral) note("typical " + number(p.typical));
   if (p.logarithmic) note("log");
   if (p.secondary) note("secondary");
+  if (p.laws == twin::Laws::kVoltageP) note("law `voltage_p`");
   if (!notes.empty()) out << " (" << notes << ')';
   out << ": " << p.meaning << '\n';
 }

@@ -61,9 +61,13 @@ Problem problemWith(const Study& study, const Evidence& evidence, const Effects&
   for (const ChosenEffect& effect : effects) {
     twin::EffectSetting& setting = hypothesis.with(*effect.info, effect.place);
     if (effect.info->laws == twin::Laws::kReplacesSpeedP) setting.values[0] = 1;
-    for (Unknown& unknown : unknownsOf(*effect.info, study.baseline.servo, effect.refined, effect.place))
-      own.push_back(std::move(unknown));
   }
+  const bool voltage = hypothesis.law() == twin::Law::kVoltageP;
+  for (const ChosenEffect& effect : effects)
+    for (Unknown& unknown : unknownsOf(*effect.info, study.baseline.servo, effect.refined, effect.place)) {
+      const twin::Parameter& parameter = effect.info->parameters[std::get<EffectParameter>(unknown.what).index];
+      if (voltage || parameter.laws != twin::Laws::kVoltageP) own.push_back(std::move(unknown));
+    }
   std::vector<Unknown> all = nuisancesOf(study.data, hypothesis);
   // Numbers of another law's motor come from a data sheet: they belong to no baseline and are never exact.
   const bool other_motor = hypothesis.law() != hypothesis.servo.law;

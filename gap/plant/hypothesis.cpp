@@ -58,9 +58,8 @@ bool Hypothesis::has(twin::StepDemand demand) const {
 }
 
 twin::Law Hypothesis::law() const {
-  const bool replaced = std::ranges::any_of(effects, [](const twin::EffectSetting& effect) {
-    return effect.info->laws == twin::Laws::kReplacesSpeedP && effect.values[0] >= 0.5;
-  });
+  const bool replaced = std::ranges::any_of(
+      effects, [](const twin::EffectSetting& effect) { return twin::replacesLaw(*effect.info, effect.values); });
   return replaced ? twin::Law::kVoltageP : servo.law;
 }
 

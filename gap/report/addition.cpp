@@ -10,6 +10,7 @@
 #include "gap/report/model_text.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/law_check.hpp"
 #include "twin/model/sections.hpp"
 
 namespace darwinop::gap {
@@ -113,7 +114,11 @@ Additions atJoint(Additions additions, std::optional<Joint> joint) {
   return additions;
 }
 
-std::string withAdditions(std::string text, const Additions& additions) {
+std::string withAdditions(std::string text, const Additions& given) {
+  Additions additions = given;  // an effect that needs another law comes after the one that brings it
+  std::ranges::stable_partition(additions.effects, [](const AddedEffect& added) {
+    return effectCalled(added.id).laws == twin::Laws::kReplacesSpeedP;
+  });
   for (const AddedNumber& number : additions.numbers)
     text = number.key.find('.') == std::string::npos ? withNumber(text, number.section, number.key, number.value)
                                                      : withEffectNumber(text, number);
@@ -128,6 +133,8 @@ std::string withAdditions(std::string text, const Additions& additions) {
     for (const std::optional<Joint>& joint : places) {
       std::vector<std::string> comments = added.because;
       const twin::EffectSetting setting = settingOf(added, joint, model, comments);
+      if (const twin::Parameter* const idle = twin::withoutEquation(model, setting))
+        throw std::runtime_error(added.id + "." + std::string{idle->key} + twin::lawAdvice(*setting.info, *idle));
       text = twin::withEffect(text, setting, wrapped(comments));
     }
   }

@@ -25,7 +25,8 @@ constexpr std::array kParameters{
               .high = 0.1,
               .neutral = 0,
               .typical = 0,
-              .secondary = true},
+              .secondary = true,
+              .laws = Laws::kVoltageP},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "backlash", "stribeck"});
 constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kLoadColumn, LogFeature::kGains});

@@ -8,6 +8,7 @@ inline constexpr const char* kEffectSyntax =
     "write [effect NAME], or [effect NAME JOINT] for one joint, as in [effect coulomb Neck]";
 inline constexpr const char* kMissing = " is missing; give ";
 inline constexpr const char* kOutOfRange = "out of range; give ";
+inline constexpr const char* kNoEquation = " moves nothing under the law speed_p; ";
 
 // the file, and the body's file that it names
 inline constexpr const char* kIsFolder = " is a folder; ";

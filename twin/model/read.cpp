@@ -11,6 +11,7 @@
 #include "core/text/nearest.hpp"
 #include "hal/text_file.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/law_check.hpp"
 #include "twin/model/messages.hpp"
 #include "twin/model/sections.hpp"
 #include "twin/model/shipped.hpp"
@@ -31,6 +32,7 @@ class ModelReader final : public text::IniReader {
   Model read(std::string_view text) {
     text::readIni(text, file_, *this);
     for (const EffectSetting& effect : model_.effects) checkComplete(effect);
+    for (const EffectSetting& effect : model_.effects) checkLaw(effect);
     if (model_.name.empty()) fail("model", "[model] name is missing; add one, as in name = my-robot");
     if (model_.body.contact_time_s < 2 * model_.body.step_s)
       fail(lines_.contains("body/contact_time") ? "body/contact_time" : "body/step",
@@ -111,6 +113,13 @@ class ModelReader final : public text::IniReader {
       const Parameter& missing = effect.info->parameters[i];
       fail(written, "[" + written + "] " + std::string{missing.key} + messages::kMissing + allowed(ruleOf(missing)));
     }
+  }
+
+  void checkLaw(const EffectSetting& effect) const {
+    const Parameter* const idle = withoutEquation(model_, effect);
+    if (idle == nullptr) return;
+    const std::string written = text({.info = effect.info, .joint = effect.joint}), key{idle->key};
+    fail(written + "/" + key, "[" + written + "] " + key + lawAdvice(*effect.info, *idle));
   }
 
   void checkAxes(const std::string& key, std::array<double, 3> axes) const {

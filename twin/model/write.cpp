@@ -4,6 +4,7 @@
 
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/law_check.hpp"
 #include "twin/model/messages.hpp"
 #include "twin/model/section_text.hpp"
 
@@ -49,10 +50,8 @@ std::string writeModel(const Model& model) {
 std::vector<std::unique_ptr<Effect>> effectsOf(const Model& model, Joint joint) {
   std::vector<std::unique_ptr<Effect>> effects;
   for (const EffectInfo* const info : catalogue()) {
-    const EffectSetting* chosen = nullptr;
-    for (const EffectSetting& setting : model.effects)
-      if (setting.info == info && (setting.joint == joint || (!setting.joint && chosen == nullptr))) chosen = &setting;
-    if (chosen != nullptr) effects.push_back(info->make(chosen->values));
+    const EffectSetting* const setting = settingAt(model, *info, joint);
+    if (setting != nullptr) effects.push_back(info->make(setting->values));
   }
   return effects;
 }

@@ -31,6 +31,7 @@ struct Parameter {
   bool fixed = false;        // never free in a fit: a switch, a seed, or what another parameter says as well
   ParameterRole role = ParameterRole::kNone;
   ErrorScale error_scale = ErrorScale::kRelative;
+  Laws laws = Laws::kBoth;  // fewer than the effect's: under which this parameter has an equation
 };
 
 class Effect;
@@ -82,6 +83,15 @@ constexpr std::optional<std::size_t> indexOf(const EffectInfo& effect, Parameter
   for (std::size_t i = 0; i < effect.parameters.size(); ++i)
     if (effect.parameters[i].role == role) return i;
   return std::nullopt;
+}
+
+constexpr Laws lawsOf(const EffectInfo& effect, const Parameter& parameter) {
+  return parameter.laws == Laws::kBoth ? effect.laws : parameter.laws;
+}
+
+/// With these values the effect turns law speed_p into voltage_p.
+inline bool replacesLaw(const EffectInfo& effect, std::span<const double> values) {
+  return effect.laws == Laws::kReplacesSpeedP && values[0] >= 0.5;
 }
 
 /// An effect in one servo. Hooks run in the order below, each for all effects in catalogue order; an effect implements

@@ -9,6 +9,7 @@
 #include "gap/report/line_diff.hpp"
 #include "gap/report/model_text.hpp"
 #include "gap/report/report_rig.hpp"
+#include "twin/model/messages.hpp"
 #include "twin/model/sections.hpp"
 
 namespace darwinop::gap {
@@ -155,6 +156,14 @@ TEST(AddByHand, TheSameParameterTwiceIsRefused) {
                 additionsFrom({"coulomb.friction=0.05", "coulomb.friction=0.06"});
               }),
               HasSubstr(messages::kNumberGivenTwice));
+}
+
+TEST(AddByHand, AnEffectWithoutEquationNeedsTheLawThatHasOne) {
+  const std::string speed = "[model]\nname = a\n[servo]\nlaw = speed_p\n";
+  EXPECT_THAT(sentenceOf([&] { withAdditions(speed, additionsFrom({"integral.gain=20"})); }),
+              HasSubstr("integral.gain" + std::string{twin::messages::kNoEquation}));
+  EXPECT_THAT(withAdditions(speed, additionsFrom({"integral.gain=20", "p_on_torque.on=1"})),
+              HasSubstr("[effect integral]\ngain = 20 1/s"));
 }
 
 constexpr const char* kRobot =

@@ -84,6 +84,24 @@ TEST_P(EachEffect, ChangesTheMotionAtItsTypicalValues) {
   RecordProperty("mrad_rms", std::to_string(1000 * most));
 }
 
+// What has no equation under a law is refused in a model file of that law.
+TEST_P(EachEffect, ChangesTheMotionByEachParameterOfTheLaw) {
+  for (const Law law : {Law::kVoltageP, Law::kSpeedP})
+    for (std::size_t i = 0; i < info().parameters.size(); ++i) {
+      const Parameter& parameter = info().parameters[i];
+      const Laws missing = law == Law::kVoltageP ? Laws::kReplacesSpeedP : Laws::kVoltageP;
+      std::vector<double> low = typical();  // of the others; their neutral values could hide this one
+      for (std::size_t k = 0; k < low.size(); ++k)
+        if (low[k] == info().parameters[k].neutral) low[k] = info().parameters[k].high;
+      std::vector<double> high = low;
+      low[i] = parameter.low;
+      high[i] = parameter.high;
+      const double moved = rmsDifference(runWith(law, &info(), low), runWith(law, &info(), high));
+      EXPECT_EQ(moved == 0, lawsOf(info(), parameter) == missing)
+          << parameter.key << (law == Law::kVoltageP ? ", voltage_p" : ", speed_p");
+    }
+}
+
 TEST_P(EachEffect, DoesNothingAtItsNeutralValues) {
   for (const Law law : {Law::kVoltageP, Law::kSpeedP})
     EXPECT_TRUE(runWith(law, &info(), valuesOf(info(), &Parameter::neutral)) == runWithout(law)) << "not bitwise equal";

@@ -137,6 +137,20 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"[effect coulomb Neck]\nfriction = 0.1 N m\n[effect coulomb neck]\nfriction = 0.2 N m\n",
                           "5: [effect coulomb Neck] is already in line 3; keep one of the two"}));
 
+TEST(WrongModelFileAsAWhole, AnEffectThatItsLawCannotShowIsRefused) {
+  const std::string speed = "[servo]\nlaw = speed_p\n", integral = "[effect integral]\ngain = 20 1/s\n";
+  EXPECT_EQ(refusalOf(speed + integral), std::string{"my.ini, line 6: [effect integral] gain"} + messages::kNoEquation +
+                                             "remove the section, or choose the law voltage_p in [servo]");
+  EXPECT_EQ(refusalOf(speed + "[effect deadband Neck]\nwidth = 0.01 rad\npunch = 0.05\n"),
+            std::string{"my.ini, line 7: [effect deadband Neck] punch"} + messages::kNoEquation +
+                "give punch = 0, or choose the law voltage_p in [servo]");
+  EXPECT_EQ(refusalOf(integral + speed + "[effect p_on_torque]\non = 0\n").substr(0, 14), "my.ini, line 4");
+  for (const std::string& lines :
+       {integral, speed + "[effect integral]\ngain = 0 1/s\n", speed + integral + "[effect p_on_torque]\non = 1\n",
+        speed + integral + "[effect p_on_torque Neck]\non = 1\n"})
+    EXPECT_EQ(refusalOf(lines), "") << lines;
+}
+
 TEST(WrongModelFileAsAWhole, NeedsAName) {
   EXPECT_EQ(refusal([] { parseModel("; only this\n", "my.ini"); }),
             "my.ini, line 1: [model] name is missing; add one, as in name = my-robot");

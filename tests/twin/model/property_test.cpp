@@ -12,6 +12,7 @@
 
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/law_check.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -56,6 +57,8 @@ class RandomModels {
       const auto same = [&](const EffectSetting& e) { return e.info == setting.info && e.joint == setting.joint; };
       if (std::ranges::none_of(model.effects, same)) model.effects.push_back(setting);
     }
+    const Model drawn = model;
+    std::erase_if(model.effects, [&](const EffectSetting& e) { return withoutEquation(drawn, e) != nullptr; });
     return model;
   }
 
@@ -138,6 +141,7 @@ std::optional<std::string> added(const std::string& all, const std::string& part
 RC_GTEST_PROP(AnyModelFile, AnEffectIsAddedWithoutTouchingAnotherByteAndTakenOutAgain, (std::uint32_t seed)) {
   RandomModels random{seed};
   Model model = random.model();
+  model.servo.law = Law::kVoltageP;  // every effect acts under it
   const EffectSetting setting = random.effect();
   std::erase_if(model.effects,
                 [&](const EffectSetting& e) { return e.info == setting.info && e.joint == setting.joint; });
@@ -156,6 +160,7 @@ RC_GTEST_PROP(AnyModelFile, AnEffectIsAddedWithoutTouchingAnotherByteAndTakenOut
 RC_GTEST_PROP(AnyModelFile, AnEffectIsReplacedAndTheRestOfTheModelStays, (std::uint32_t seed)) {
   RandomModels random{seed};
   Model model = random.model();
+  model.servo.law = Law::kVoltageP;  // every effect acts under it
   RC_PRE(!model.effects.empty());
   const std::string text = handled(writeModel(model), random);
   EffectSetting& changed = model.effects[random.upTo(model.effects.size() - 1)];
