@@ -1,4 +1,4 @@
-// Gyroscope: angular rate of the trunk. Accelerometer: velocity change of its site per step, minus gravity.
+// Gyroscope: angular rate of the trunk. Accelerometer: velocity change of its site in a cycle, minus gravity.
 #include "twin/body/imu.hpp"
 
 #include <algorithm>
@@ -29,13 +29,14 @@ double distorted(double value, double scale, double bias, double noise, double r
 
 }  // namespace
 
-Imu::Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed)
+Imu::Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed, double cycle_s)
     : settings_{settings},
       seed_{seed},
       qpos_{map.trunk_qpos},
       dof_{map.trunk_dof},
       gyro_lag_{m.opt.timestep, settings.gyro_lowpass_s, settings.delay_s},
-      accel_lag_{m.opt.timestep, 0, settings.delay_s} {
+      accel_lag_{m.opt.timestep, 0, settings.delay_s},
+      velocities_(static_cast<std::size_t>(std::max(1L, std::lround(cycle_s / m.opt.timestep)))) {
   mju_copy3(site_, m.site_pos + 3 * map.accelerometer);
   mju_negQuat(gyro_axes_, mountedAt(m.site_quat + 4 * map.gyro, settings).data());
   mju_negQuat(accel_axes_, mountedAt(m.site_quat + 4 * map.accelerometer, settings).data());
@@ -53,18 +54,20 @@ void Imu::siteVelocity(const mjData& d, mjtNum* velocity) const noexcept {
 }
 
 void Imu::reset(const mjModel& m, const mjData& d) noexcept {
-  siteVelocity(d, velocity_);
+  siteVelocity(d, velocities_.front().data());
+  steps_ = 0;
   mju_zero3(acceleration_);
   gyro_lag_.fill(trueRate(d));
   accel_lag_.fill(trueAcceleration(m, d));
 }
 
 void Imu::update(const mjModel& m, const mjData& d) noexcept {
-  mjtNum now[3];
-  siteVelocity(d, now);
-  mju_sub3(acceleration_, now, velocity_);
-  mju_scl3(acceleration_, acceleration_, 1 / m.opt.timestep);
-  mju_copy3(velocity_, now);
+  std::array<mjtNum, 3> now{};
+  siteVelocity(d, now.data());
+  const std::size_t size = velocities_.size(), span = std::min(++steps_, size);  // fewer right after the reset
+  mju_sub3(acceleration_, now.data(), velocities_[(steps_ - span) % size].data());
+  mju_scl3(acceleration_, acceleration_, 1 / (static_cast<double>(span) * m.opt.timestep));
+  velocities_[steps_ % size] = now;
   if (gyro_lag_.acts()) gyro_lag_.next(trueRate(d));
   if (accel_lag_.acts()) accel_lag_.next(trueAcceleration(m, d));
 }

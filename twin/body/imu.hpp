@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "twin/body/imu_axes.hpp"
 #include "twin/body/mujoco_model.hpp"
@@ -17,11 +18,12 @@ class Imu {
  public:
   using Axes = std::array<double, 3>;  // x, y, z of the sensor
 
-  Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed);
+  /// `cycle_s`: over which the accelerometer's value is the mean; at least a physics step. Allocates.
+  Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed, double cycle_s = 0);
 
   /// After the trunk was placed: the jump must not appear as an acceleration.
   void reset(const mjModel& m, const mjData& d) noexcept;
-  /// After every physics step: the sensors measure the mean over the step.
+  /// After every physics step.
   void update(const mjModel& m, const mjData& d) noexcept;
 
   /// Value of the last step in the sensor's axes, clamped to its range. The noise is a function of seed and `sample`
@@ -41,7 +43,9 @@ class Imu {
   mjtNum gyro_axes_[4], accel_axes_[4];                 // rotate trunk vectors into sensor axes
   std::array<ReadAxis, 3> gyro_read_{}, accel_read_{};  // true axes that are read as x, y, z
   SensorLag gyro_lag_, accel_lag_;
-  mjtNum velocity_[3] = {}, acceleration_[3] = {};  // of the site, in the world frame
+  std::vector<std::array<mjtNum, 3>> velocities_;  // of the site, in the world frame; after the steps of a cycle
+  std::size_t steps_ = 0;                          // since the reset; the newest velocity is at this, modulo
+  mjtNum acceleration_[3] = {};                    // mean over the cycle
 };
 
 }  // namespace darwinop::twin

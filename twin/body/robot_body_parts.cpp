@@ -44,7 +44,7 @@ RobotBody::Parts::Parts(const Model& requested, const RobotBodyOptions& options)
       map{mapBody(*m, model.body.xml)},
       torques{*m, map, servos, model.body.hold_until_driven},
       d{dataFor(*m, model.body.xml)},
-      imu{*m, map, model.imu, options.seed},
+      imu{*m, map, model.imu, options.seed, model.servo.firmware_period_s},
       clamped_up{options.clamped_up},
       ball_circles{options.ball == Ball::kCircles},
       step_ns{nanosOf(model.body.step_s)},

@@ -35,6 +35,23 @@ TEST(Accelerometer, ReadsZeroInFreeFall) {
   for (const double measured : body.state().accel_m_s2) EXPECT_NEAR(measured, 0, 1e-6);
 }
 
+// A play somewhere makes the physics steps finer than the firmware's cycle.
+TEST(Accelerometer, MeasuresAnImpactWithinItsCycleWithAndWithoutPlay) {
+  for (const bool has_play : {false, true}) {
+    Model model = stiff();
+    if (has_play) model.effects.push_back({findEffect("backlash"), {0.01}, Joint::kNeck});
+    RobotBody body{model};
+    body.place(Pose{});
+    lift(body);
+    run(body, limp(), 0.1);
+    trunkQvel(body)[2] += 0.01;  // m/s; upwards
+    run(body, limp(), 0.001);
+    EXPECT_NEAR(body.state().accel_m_s2[2], 10, 0.5) << has_play;
+    run(body, limp(), 0.001);
+    EXPECT_NEAR(body.state().accel_m_s2[2], 0, 0.5) << has_play;
+  }
+}
+
 TEST(Accelerometer, PointsItsForwardAxisDownFaceDown) {
   RobotBody body{stiff()};
   body.place(Pose{}, kPi / 2);  // pitched forward by 90 degrees
