@@ -38,7 +38,7 @@ std::vector<OtherEngine> otherEngines(const FloorHypothesis& about) {
   };
   add([](FloorHypothesis& one) { one.engine.pyramidal_friction = true; });
   add([](FloorHypothesis& one) { one.engine.impedance = thresholds::kEngineImpedance; });
-  add([](FloorHypothesis& one) { one.engine.steps_per_cycle = 2; });
+  add([](FloorHypothesis& one) { one.engine.step_divisor = 2; });
   add([](FloorHypothesis& one) { one.engine.drop_m = thresholds::kEngineDrop; });
   add([](FloorHypothesis& one) { one.floor.contact_time_factor *= 1 + thresholds::kEngineContactTime; },
       EngineNumber::kContactTime);

@@ -1,6 +1,8 @@
 #include "gap/plant/body/floor_parts.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include "gap/plant/body/limb_parts.hpp"
@@ -29,9 +31,11 @@ void setQuat(mjtNum* quat, const Eigen::Matrix3d& rotation) {
   quat[0] = q.w(), quat[1] = q.x(), quat[2] = q.y(), quat[3] = q.z();
 }
 
-void setEngine(mjModel& m, const twin::BodyMap& map, const PhysicsEngine& engine) {
+/// The step is at most that of the model, and divides the period of the firmware.
+void setEngine(mjModel& m, const twin::BodyMap& map, double period_s, const PhysicsEngine& engine) {
   if (engine.pyramidal_friction) m.opt.cone = mjCONE_PYRAMIDAL;
-  m.opt.timestep /= engine.steps_per_cycle;
+  const double steps = std::max(1.0, std::ceil(period_s / m.opt.timestep - 1e-9));
+  m.opt.timestep = period_s / (steps * engine.step_divisor);
   for (int p = 0; p < m.npair; ++p) {
     if (m.pair_geom1[p] != map.floor && m.pair_geom2[p] != map.floor) continue;
     for (int i = 0; i < 2; ++i)
@@ -62,7 +66,7 @@ twin::MjModelPtr bodyOf(const twin::Model& model, const FloorHypothesis& hypothe
     twin::changeLink(m, map.trunk, settingsOf(floor.trunk_mass_kg, floor.trunk_from_com_m, floor.trunk_com_shift_m));
   if (floor.sole_scale != 1) twin::scaleSoles(m, map, floor.sole_scale);
   twin::tiltFloor(m, floor.tilt_rad[0], floor.tilt_rad[1]);
-  setEngine(m, map, hypothesis.engine);
+  setEngine(m, map, hypothesis.robot.servos.servo.firmware_period_s, hypothesis.engine);
   return compiled;
 }
 

@@ -55,7 +55,7 @@ FloorSimulation::FloorSimulation(const BodyCase& given, std::size_t log, const F
       ambient_c_{hypothesis.robot.servos.servo.ambient_c},
       model_{bodyOf(given.joints.model, hypothesis)},
       map_{twin::mapBody(*model_, given.joints.model.body.xml)},
-      steps_{hypothesis.engine.steps_per_cycle} {
+      steps_{static_cast<int>(std::lround(period_ / model_->opt.timestep))} {
   bool is_soft = false;
   std::array<double, kJoints> pose{};
   for (std::size_t i = 0; i < kJoints; ++i) {

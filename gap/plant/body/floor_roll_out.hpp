@@ -23,8 +23,8 @@ struct FloorChange {
 struct PhysicsEngine {
   bool pyramidal_friction = false;  // cone of the contact friction
   double impedance = 1;             // factor on the distance of the contacts' impedance from 1
-  int steps_per_cycle = 1;
-  double drop_m = 0;  // the robot is put down from this height
+  int step_divisor = 1;             // of the twin's step
+  double drop_m = 0;                // the robot is put down from this height
 };
 
 struct FloorHypothesis {
@@ -34,7 +34,7 @@ struct FloorHypothesis {
 };
 
 /// Of each row, the encoder's position in the last firmware cycle before it; rows x joints of the robot. Ideal inertial
-/// sensors of the model, in their own axes, after each cycle of 1 ms; cycles x 3.
+/// sensors of the model, in their own axes, after each firmware cycle; cycles x 3.
 struct FloorTrace {
   Eigen::MatrixXd position_rad;
   Eigen::MatrixX3d gyro_rad_s, accel_m_s2;

@@ -75,7 +75,7 @@ TEST(BodyFloor, ARobotLikeItsModelHasNoName) {
 // Other cone of friction, softer contacts, finer steps: not the model's fault.
 TEST(BodyFloor, AnotherEngineHasNoName) {
   FloorModel hidden = shippedOnFloor();
-  hidden.robot.engine = {.pyramidal_friction = true, .impedance = 2, .steps_per_cycle = 4, .drop_m = 0.0005};
+  hidden.robot.engine = {.pyramidal_friction = true, .impedance = 2, .step_divisor = 4, .drop_m = 0.0005};
   hidden.robot.floor.contact_time_factor = 1.25;
   EXPECT_THAT(answerFor(hidden).found, IsEmpty());
 }
