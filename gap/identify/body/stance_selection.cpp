@@ -17,11 +17,13 @@ std::vector<std::size_t> standingLogs(const BodyCase& given, bool held_out) {
   return logs;
 }
 
-/// With the bias that a clamped trunk shows, whatever its prior.
+/// With the bias beyond the model's that a clamped trunk shows, whatever its prior.
 ImuDeviation withRestingBias(const BodyCase& given, ImuDeviation imu) {
   const std::vector<RestingReading> readings = restingReadings(given, ImuSensor::kGyro);
   if (readings.empty() || !imu.gyro.bias.isZero()) return imu;
-  for (const RestingReading& one : readings) imu.gyro.bias += one.mean / static_cast<double>(readings.size());
+  const RestingImu resting{given.joints.model};
+  for (const RestingReading& one : readings)
+    imu.gyro.bias += (one.mean - resting.reading(ImuSensor::kGyro, one.up)) / static_cast<double>(readings.size());
   return imu;
 }
 

@@ -87,6 +87,31 @@ TEST(Stance, AScaleThatThisRobotDoesNotHaveIsRefuted) {
   EXPECT_TRUE(stance.refutes(scaled));
 }
 
+/// Shown by a clamped trunk too, which may be the model's own bias.
+BodyCase robotWithBias(const FloorModel& hidden) {
+  constexpr double kBias = 0.2;  // rad/s
+  BodyCase out = standingRobot(hidden);
+  addRecording(out, BodySetup::kClamped, 60, false);
+  BodyLog& clamped = out.logs.back();
+  clamped.up = Axes{0, 1, 0};
+  Rng rng{7};
+  for (std::vector<double>& axis : clamped.gyro_rad_s)
+    for (std::size_t row = 0; row < clamped.rows(); ++row) axis.push_back(0.03 * rng.normal());
+  for (BodyLog& log : out.logs)
+    for (double& value : log.gyro_rad_s[1]) value += kBias;
+  out.joints.model.imu.gyro_bias_rad_s[1] = kBias;
+  return out;
+}
+
+TEST(Stance, ABiasThatTheModelHasIsNotAddedAgain) {
+  FloorModel scaled = shippedOnFloor();
+  scaled.imu.gyro.scale = {1, 1.15, 1};
+  EXPECT_EQ(stanceAnswer(robotWithBias(shippedOnFloor()), shippedOnFloor()).id, "none");
+  const StanceAnswer answer = stanceAnswer(robotWithBias(scaled), shippedOnFloor());
+  ASSERT_EQ(answer.id, "gyro_scale");
+  EXPECT_NEAR(answer.values[1], 1.15, 0.03);
+}
+
 TEST(Stance, NoFootStandsWhileTheRobotTipsOver) {
   BodyCase given = standingRobot(shippedOnFloor());
   const MovingImu imu{given.joints.model};
