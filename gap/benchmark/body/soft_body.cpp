@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "gap/plant/bench/surroundings.hpp"
+#include "gap/plant/body/moving_imu.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -68,9 +69,7 @@ SoftBody::SoftBody(BodyCase& plan, std::size_t log, const BodyTruth& truth, cons
               .friction = body.floor_friction * truth.model.robot.floor.friction_factor};
   if (isClamped()) first_ = 6;
   data_ = twin::dataFor(m, body.xml);
-  twin::ImuSettings ideal = plan.joints.model.imu;
-  ideal.gyro_noise_rad_s = ideal.accel_noise_m_s2 = 0;
-  imu_ = std::make_unique<twin::Imu>(m, map_, ideal, 0);
+  imu_ = std::make_unique<twin::Imu>(m, map_, tracedSensors(plan.joints.model.imu), 0);
   twin::orThrow(body.xml, [&] { place(); });
   imu_->reset(m, *data_);
 }

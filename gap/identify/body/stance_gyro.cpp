@@ -48,7 +48,7 @@ double StanceGyro::ofLog(const Log& log, const ImuDeviation& imu) const {
   const double roll = std::hypot(sigma_, thresholds::kStanceRoll);
   // What is read for each foot, and the directions in which it reads a rotation of that foot.
   std::array<Eigen::MatrixX3d, 2> expected, forward, left;
-  const Eigen::Matrix3d read = (imu_.gyroMatrix(imu) * imu_.gyroMatrix(ImuDeviation{}).inverse()).transpose();
+  const Eigen::Matrix3d read = imu_.gyroMatrix(imu).transpose();
   for (std::size_t foot = 0; foot < 2; ++foot) {
     expected[foot] = imu_.of(log.feet[foot].trace, imu).gyro_rad_s;
     forward[foot] = (log.feet[foot].forward * read).rowwise().normalized();

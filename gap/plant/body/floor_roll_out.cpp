@@ -8,6 +8,7 @@
 #include "gap/plant/body/floor_parts.hpp"
 #include "gap/plant/body/joint_alone.hpp"
 #include "gap/plant/body/limb_parts.hpp"
+#include "gap/plant/body/moving_imu.hpp"
 #include "hal/body.hpp"
 #include "twin/body/imu.hpp"
 #include "twin/body/joint_torques.hpp"
@@ -75,9 +76,7 @@ FloorSimulation::FloorSimulation(const BodyCase& given, std::size_t log, const F
   const std::string& file = given.joints.model.body.xml;
   torques_ = std::make_unique<twin::JointTorques>(*model_, map_, servos_, false);
   data_ = twin::dataFor(*model_, file);
-  twin::ImuSettings ideal = given.joints.model.imu;
-  ideal.gyro_noise_rad_s = ideal.accel_noise_m_s2 = 0;
-  imu_ = std::make_unique<twin::Imu>(*model_, map_, ideal, 0);
+  imu_ = std::make_unique<twin::Imu>(*model_, map_, tracedSensors(given.joints.model.imu), 0);
   twin::orThrow(file, [&] { placeAtRest(*model_, *data_, map_, pose, given_.logs[log_].lies_on); });
   data_->qpos[map_.trunk_qpos + 2] += hypothesis.engine.drop_m;
   for (std::size_t i = 0; i < kJoints; ++i) servos_[i].reset(pose[i], given.logs[log].session_start_s - kStoodBefore);

@@ -33,8 +33,8 @@ struct FloorHypothesis {
   PhysicsEngine engine = {};
 };
 
-/// Of each row, the encoder's position in the last firmware cycle before it; rows x joints of the robot. Ideal inertial
-/// sensors of the model, in their own axes, after each firmware cycle; cycles x 3.
+/// Of each row, the encoder's position in the last firmware cycle before it; rows x joints of the robot. After
+/// each cycle, the signals of the inertial sensors that tracedSensors returns (moving_imu.hpp); cycles x 3.
 struct FloorTrace {
   Eigen::MatrixXd position_rad;
   Eigen::MatrixX3d gyro_rad_s, accel_m_s2;

@@ -69,14 +69,8 @@ TwinAxes turned(const TwinAxes& first, const Eigen::Vector3d& second) {
 }
 
 void changeImu(ModelWith& into, const ImuDeviation& by) {
-  const twin::ImuSettings neutral;
   twin::ImuSettings& imu = into.model.imu;
-  if (!by.gyro.map.isIdentity() &&
-      (imu.gyro_scale != neutral.gyro_scale || imu.gyro_bias_rad_s != neutral.gyro_bias_rad_s))
-    into.conflicts.emplace_back(
-        "gyro_axes: [imu] gyro_scale and gyro_bias of the model are of other axes then; exchange the axes by hand");
-  else
-    imu.gyro_axes = mapped(imu.gyro_axes, by.gyro.map);
+  imu.gyro_axes = mapped(imu.gyro_axes, by.gyro.map);
   imu.gyro_bias_rad_s = asAxes(asVector(imu.gyro_bias_rad_s) + by.gyro.bias);
   imu.accel_bias_m_s2 = asAxes(asVector(imu.accel_bias_m_s2) + by.accel.bias);
   imu.gyro_scale = asAxes(asVector(imu.gyro_scale).cwiseProduct(by.gyro.scale));

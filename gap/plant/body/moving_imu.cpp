@@ -10,6 +10,10 @@
 namespace darwinop::gap {
 namespace {
 
+Eigen::Map<const Eigen::Vector3d> ofAxes(const std::array<double, 3>& values) {
+  return Eigen::Map<const Eigen::Vector3d>{values.data()};
+}
+
 Eigen::Matrix3d matrixOf(const twin::MountingMatrix& rows) {
   Eigen::Matrix3d out;
   for (Eigen::Index i = 0; i < 3; ++i)
@@ -17,12 +21,18 @@ Eigen::Matrix3d matrixOf(const twin::MountingMatrix& rows) {
   return out;
 }
 
-/// Of an ideal sensor's reading, without bias.
-Eigen::Matrix3d distortion(const RestingImu::Deviation& of, const Eigen::Vector3d& board, const Eigen::Matrix3d& axes) {
+/// Of a trace's signal, without bias.
+Eigen::Matrix3d distortion(const std::array<double, 3>& scale, const RestingImu::Deviation& of,
+                           const Eigen::Vector3d& board, const Eigen::Matrix3d& axes) {
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   if (const double angle = board.norm(); angle > 0)
     turned = Eigen::AngleAxisd{-angle, board / angle}.toRotationMatrix();
-  return of.scale.asDiagonal() * of.map * axes * turned * axes.transpose();
+  return ofAxes(scale).cwiseProduct(of.scale).asDiagonal() * of.map * axes * turned * axes.transpose();
+}
+
+void addBias(Eigen::MatrixX3d& readings, const Eigen::Vector3d& bias, double range) {
+  readings.rowwise() += bias.transpose();
+  readings = readings.cwiseMin(range).cwiseMax(-range);
 }
 
 /// Rows of `cycles` at the time of each row of the log, `late` cycles ago.
@@ -40,18 +50,26 @@ Eigen::MatrixX3d atRows(const Eigen::MatrixX3d& cycles, const std::vector<Eigen:
 
 }  // namespace
 
-MovingImu::MovingImu(const twin::Model& model) : period_s_{model.servo.firmware_period_s} {
+twin::ImuSettings tracedSensors(twin::ImuSettings model) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  model.gyro_scale = model.accel_scale = {1, 1, 1};
+  model.gyro_bias_rad_s = model.accel_bias_m_s2 = {0, 0, 0};
+  model.gyro_noise_rad_s = model.accel_noise_m_s2 = 0;
+  model.gyro_range_rad_s = model.accel_range_m_s2 = kNoLimit;
+  return model;
+}
+
+MovingImu::MovingImu(const twin::Model& model) : settings_{model.imu}, period_s_{model.servo.firmware_period_s} {
   const twin::ImuAxes mounted = twin::imuAxesOf(model);
   gyro_axes_ = matrixOf(mounted.gyro), accel_axes_ = matrixOf(mounted.accelerometer);
 }
 
 Eigen::Matrix3d MovingImu::gyroMatrix(const ImuDeviation& deviation) const {
-  return distortion(deviation.gyro, deviation.accel.rotation, gyro_axes_);
+  return distortion(settings_.gyro_scale, deviation.gyro, deviation.accel.rotation, gyro_axes_);
 }
 
 MovingImu::Readings MovingImu::of(const FloorTrace& trace, const ImuDeviation& deviation) const {
   const double late = deviation.delay_s / period_s_;
-  const Eigen::Vector3d& board = deviation.accel.rotation;
   Eigen::MatrixX3d slow;
   const Eigen::MatrixX3d* rates = &trace.gyro_rad_s;
   if (deviation.lowpass_s > 0) {
@@ -63,10 +81,11 @@ MovingImu::Readings MovingImu::of(const FloorTrace& trace, const ImuDeviation& d
   }
   Readings out{atRows(*rates, trace.cycle_of_row, late), atRows(trace.accel_m_s2, trace.cycle_of_row, late)};
   out.gyro_rad_s *= gyroMatrix(deviation).transpose();
-  out.gyro_rad_s.rowwise() += deviation.gyro.bias.transpose();
-  out.gyro_rad_s = out.gyro_rad_s.cwiseMin(deviation.range_rad_s).cwiseMax(-deviation.range_rad_s);
-  out.accel_m_s2 *= distortion(deviation.accel, board, accel_axes_).transpose();
-  out.accel_m_s2.rowwise() += deviation.accel.bias.transpose();
+  addBias(out.gyro_rad_s, ofAxes(settings_.gyro_bias_rad_s) + deviation.gyro.bias,
+          std::min(settings_.gyro_range_rad_s, deviation.range_rad_s));
+  out.accel_m_s2 *=
+      distortion(settings_.accel_scale, deviation.accel, deviation.accel.rotation, accel_axes_).transpose();
+  addBias(out.accel_m_s2, ofAxes(settings_.accel_bias_m_s2) + deviation.accel.bias, settings_.accel_range_m_s2);
   return out;
 }
 

@@ -1,4 +1,4 @@
-// Readings of the inertial sensor of a moving trunk, from those of an ideal one.
+// Readings of the inertial sensor of a moving trunk, from the signals of a trace.
 #pragma once
 
 #include <limits>
@@ -16,6 +16,10 @@ struct ImuDeviation {
   double delay_s = 0;                                            // of both sensors
 };
 
+/// The sensors whose readings a trace has: with mounting, axes, filter and delay of the model; its scale, bias and
+/// range act on these signals together with a deviation.
+twin::ImuSettings tracedSensors(twin::ImuSettings model);
+
 class MovingImu {
  public:
   /// Reads the body's MuJoCo file. Throws std::runtime_error.
@@ -25,11 +29,12 @@ class MovingImu {
     Eigen::MatrixX3d gyro_rad_s, accel_m_s2;  // rows of the log x axes of the sensor
   };
   [[nodiscard]] Readings of(const FloorTrace& trace, const ImuDeviation& deviation) const;
-  /// From the rate that an ideal gyroscope reads to what this one reads, without bias, filter and limit.
+  /// From the rate of a trace to what this gyroscope reads, without bias, filter and limit.
   [[nodiscard]] Eigen::Matrix3d gyroMatrix(const ImuDeviation& deviation) const;
 
  private:
   Eigen::Matrix3d gyro_axes_, accel_axes_;  // rows: the sensor's axes in the trunk's frame
+  twin::ImuSettings settings_;
   double period_s_;
 };
 

@@ -62,7 +62,7 @@ Eigen::MatrixX3d atCycles(const Eigen::MatrixX3d& rows, const std::vector<double
   return out;
 }
 
-/// As the model's own sensor has the rates of each cycle, without noise and limit.
+/// As a trace has the rates of each cycle.
 void sense(const twin::ImuSettings& imu, double period_s, Eigen::MatrixX3d& rates) {
   twin::SensorLag lag{period_s, imu.gyro_lowpass_s, imu.delay_s};
   for (Eigen::Index cycle = 0; cycle < rates.rows(); ++cycle) {
@@ -72,8 +72,7 @@ void sense(const twin::ImuSettings& imu, double period_s, Eigen::MatrixX3d& rate
     else
       lag.next(rate);
     const twin::SensorLag::Values sensed = lag.now();
-    for (std::size_t i = 0; i < sensed.size(); ++i)
-      rates(cycle, static_cast<Eigen::Index>(i)) = imu.gyro_scale[i] * sensed[i] + imu.gyro_bias_rad_s[i];
+    for (std::size_t i = 0; i < sensed.size(); ++i) rates(cycle, static_cast<Eigen::Index>(i)) = sensed[i];
   }
 }
 

@@ -11,7 +11,7 @@ namespace darwinop::gap {
 /// If this foot does not turn. The trace has no positions and no acceleration.
 struct StanceRates {
   FloorTrace trace;
-  Eigen::MatrixX3d forward, left;  // axes of the foot, in those of an ideal gyroscope; one row for each of the log
+  Eigen::MatrixX3d forward, left;  // axes of the foot, in those of the trace's gyroscope; one row for each of the log
   std::vector<bool> known;         // of each row of the log; else positions are missing, and its rate is the last known
 };
 

@@ -40,32 +40,6 @@ TEST(BodyFloor, AStandingRobotReadsGravityAndAFloorThatSlopesTurnsIt) {
   EXPECT_NEAR(face_down[1], -9.81, 0.5);  // forward
 }
 
-TEST(BodyFloor, ASensorIsLateSlowLimitedAndTurnedAsItsDeviationSays) {
-  const MovingImu imu{twin::readModel(twin::findModel("darwin-op"))};
-  constexpr Eigen::Index kCycles = 200;
-  FloorTrace trace{.position_rad = {},
-                   .gyro_rad_s = Eigen::MatrixX3d::Zero(kCycles, 3),
-                   .accel_m_s2 = Eigen::MatrixX3d::Zero(kCycles, 3),
-                   .cycle_of_row = {99, 110, 120, 199}};
-  trace.gyro_rad_s.bottomRows(kCycles - 100).col(0).setConstant(1);  // from cycle 100 on
-  ImuDeviation deviation;
-  deviation.delay_s = 0.015;
-  EXPECT_EQ(imu.of(trace, deviation).gyro_rad_s(1, 0), 0);
-  EXPECT_EQ(imu.of(trace, deviation).gyro_rad_s(2, 0), 1);
-  deviation.delay_s = 0, deviation.lowpass_s = 0.02;
-  EXPECT_NEAR(imu.of(trace, deviation).gyro_rad_s(2, 0), 1 - std::exp(-21. / 20), 1e-9);
-  deviation.lowpass_s = 0, deviation.range_rad_s = 0.4;
-  EXPECT_EQ(imu.of(trace, deviation).gyro_rad_s(3, 0), 0.4);
-  deviation.range_rad_s = 30, deviation.gyro.scale = {1.2, 1, 1}, deviation.gyro.bias = {0, 0.1, 0};
-  EXPECT_NEAR(imu.of(trace, deviation).gyro_rad_s(3, 0), 1.2, 1e-12);
-  EXPECT_NEAR(imu.of(trace, deviation).gyro_rad_s(3, 1), 0.1, 1e-12);
-  deviation = {};
-  deviation.accel.rotation = {0, 0.1, 0};  // about the trunk's up: the board's other axes see a part of a rate
-  const Eigen::RowVector3d turned = imu.of(trace, deviation).gyro_rad_s.row(3);
-  EXPECT_NEAR(turned.norm(), 1, 1e-12);
-  EXPECT_NEAR(turned[0], std::cos(0.1), 1e-9);
-}
-
 TEST(BodyFloor, ARobotLikeItsModelHasNoName) {
   const FloorSelection answer = answerFor(shippedOnFloor());
   EXPECT_EQ(openRows(answer.rows), 0);
