@@ -123,7 +123,7 @@ int addEffects(const Arguments& given) {
   const Case read = readGiven(given);
   if (given.results.empty() == given.effects.empty())
     throw std::runtime_error("add needs either report.json of a run or --effect ID.PARAMETER=VALUE");
-  const Additions additions = given.results.empty() ? atJoint(additionsFrom(given.effects), read.joint)
+  const Additions additions = given.results.empty() ? atJoint(additionsFrom(given.effects), read)
                                                     : additionsIn(textOf(given.results), given.results, read);
   const std::string before = startModel(given, read), text = withAdditions(before, additions);
   if (given.out.empty())

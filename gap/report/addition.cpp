@@ -107,13 +107,6 @@ Additions additionsFrom(const std::vector<std::string>& texts) {
   return additions;
 }
 
-Additions atJoint(Additions additions, std::optional<Joint> joint) {
-  if (!joint) return additions;
-  for (AddedNumber& number : additions.numbers) number.joint = joint;
-  for (AddedEffect& effect : additions.effects) effect.joints = {*joint};
-  return additions;
-}
-
 std::string withAdditions(std::string text, const Additions& given) {
   Additions additions = given;  // an effect that needs another law comes after the one that brings it
   std::ranges::stable_partition(additions.effects, [](const AddedEffect& added) {

@@ -45,8 +45,10 @@ struct Additions {
   std::vector<AddedEffect> effects;
 };
 
-/// Of the servo of one joint of a robot, which has sections of its own then. None: the same.
-Additions atJoint(Additions additions, std::optional<Joint> joint);
+/// Of the servo of the joint of this case, which has sections of its own then. A mass of all that it carries becomes
+/// that of each link outwards of it, with a shift as mass of equal moment. A case without joint: the same. Throws
+/// std::runtime_error for a shift without mass.
+Additions atJoint(Additions additions, const Case& given);
 /// "coulomb.friction=0.05"; several of one effect belong together. Throws std::runtime_error with a sentence.
 Additions additionsFrom(const std::vector<std::string>& texts);
 /// Of this case, from what `run --json` or `benchmark run` wrote. Throws std::runtime_error for a verdict that names

@@ -54,6 +54,11 @@ inline constexpr const char* kOtherModel =
 inline constexpr const char* kNotAResult = "not a result of darwinop gap";
 inline constexpr const char* kNumberGivenTwice = "this number is given twice";
 inline constexpr const char* kTypicalValue = "not known, the typical value";
+inline constexpr const char* kShiftNeedsMass =
+    ": the links of a robot have no common centre of mass; a shift is written as a mass of equal moment. Give also ";
+inline constexpr const char* kEqualMoment = ": of each link, with the moment that the load has by ";
+inline constexpr const char* kBeyondModel =
+    " would be needed for the equal moment, which is more than a model may have";
 inline constexpr const char* kUnitNotAllowed = "the value is a number without unit";
 
 }  // namespace darwinop::gap::messages

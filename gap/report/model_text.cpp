@@ -1,6 +1,8 @@
 #include "gap/report/model_text.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "core/text/letter_case.hpp"
@@ -125,6 +127,11 @@ std::vector<std::string> wrapped(const std::vector<std::string>& comments) {
     lines.push_back(rest);
   }
   return lines;
+}
+
+double forReading(double value) {
+  if (value == std::round(value)) return value;
+  return std::strtod(text::generalText(value, 6).c_str(), nullptr);
 }
 
 std::string withUnit(double value, std::string_view unit) {

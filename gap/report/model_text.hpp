@@ -28,6 +28,8 @@ std::vector<MovedNumber> movedNumbers(const twin::ServoParameters& before, const
 /// Comments in lines that a model file may have.
 std::vector<std::string> wrapped(const std::vector<std::string>& comments);
 
+/// More digits than a fit determines, few enough to read. Counts and seeds stay.
+double forReading(double value);
 /// Four digits: "0.0812 N m".
 std::string withUnit(double value, std::string_view unit);
 /// "0.0781 to 0.0853 N m".

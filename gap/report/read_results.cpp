@@ -62,7 +62,7 @@ Additions additionsIn(std::string_view results, const std::string& file, const C
     for (const json& effect : result.at("effects")) additions.effects.push_back(effectIn(effect, result));
     for (const json& number : result.value("numbers", json::array()))
       additions.numbers.push_back({number.at("number"), number.at("after")});
-    return atJoint(std::move(additions), given.joint);
+    return atJoint(std::move(additions), given);
   } catch (const json::exception& error) {
     throw std::runtime_error(file + ": " + messages::kNotAResult + " (" + error.what() +
                              "); `darwinop gap run` writes report.json, `darwinop gap benchmark run` results.json");

@@ -14,12 +14,6 @@
 namespace darwinop::gap {
 namespace {
 
-/// More digits than a fit determines, few enough to read. Counts and seeds stay.
-double forReading(double value) {
-  if (value == std::round(value)) return value;
-  return std::strtod(text::generalText(value, 6).c_str(), nullptr);
-}
-
 std::vector<std::string> reasonsFor(const Case& given, const Identification& identification,
                                     const IdentifiedEffect& found, const std::string& data_hash) {
   std::vector<std::string> lines{"Found by darwinop gap in the logs of case " + given.name +
@@ -86,7 +80,7 @@ Additions additionsOf(const Case& given, const Outcome& outcome, const std::stri
     }
     additions.effects.push_back(std::move(effect));
   }
-  return atJoint(std::move(additions), given.joint);
+  return atJoint(std::move(additions), given);
 }
 
 std::string caseModel(const Case& given) {

@@ -10,18 +10,20 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "mass",
               .unit = "",
-              .meaning = "relative change of the mass",
+              .meaning = "relative change of the mass: of the link, on a bench of all that the joint carries",
               .low = -0.4,
               .high = 0.4,
               .neutral = 0,
-              .typical = 0.08},
+              .typical = 0.08,
+              .role = ParameterRole::kLoadMass},
     Parameter{.key = "shift",
               .unit = "m",
               .meaning = "distance of the centre of mass outwards",
               .low = -0.05,
               .high = 0.05,
               .neutral = 0,
-              .typical = 0},
+              .typical = 0,
+              .role = ParameterRole::kLoadShift},
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"encoder_offset", "kt_error", "kp_scale", "gear_scale", "inertia", "coulomb"});

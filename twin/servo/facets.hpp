@@ -19,6 +19,8 @@ enum class ParameterRole : std::uint8_t {
   kSupplyResistance,  // ohm, of battery and cables
   kDryFriction,       // N m
   kViscousFriction,   // N m s/rad
+  kLoadMass,          // relative change: of all that a bench carries, in the body of the link alone
+  kLoadShift,         // m, outwards, of the same
   kRippleTorque,      // N m, amplitude of a ripple over the angle; count a turn and phase are the next two parameters
 };
 
