@@ -76,7 +76,7 @@ TEST(AtJoint, AShiftIsAMassOfEqualMoment) {
   EXPECT_NEAR(massAt(shifted, Joint::kArmLowerR)[0], 1.1 * (1 + more) - 1, 1e-4);
   EXPECT_EQ(massAt(shifted, Joint::kArmLowerR)[1], 0);
   const twin::Model most = robotWith({"com_mass.mass=0.4", "com_mass.shift=0.05"}, given);
-  EXPECT_EQ(massAt(most, Joint::kArmUpperR)[0], 0.4) << "more is no model";
+  EXPECT_EQ(massAt(most, Joint::kArmUpperR)[0], 0.4) << "the most that a model may have";
   try {
     robotWith({"com_mass.shift=0.01"}, given);
     FAIL();
