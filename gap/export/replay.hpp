@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "gap/case/case.hpp"
 #include "gap/export/joints.hpp"
+#include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 

@@ -49,12 +49,12 @@ void Bench::reset(const BenchOptions& options) {
   sine_ = {};
   transmission_.reset(position_, velocity_, rotor_kgm2_);
   steps_ = options.steps_per_period;
-  if (options.is_settled && servo_.softGear()) settle();
+  if (options.is_settled && servo_.softGear()) restInGears();
 }
 
 /// The weight at an angle bends the gears, which changes the angle: a spring that holds an arm changes it by less and
 /// less.
-void Bench::settle() noexcept {
+void Bench::restInGears() noexcept {
   constexpr int kMostRounds = 50;
   const double reading = position_;
   for (int round = 0; round < kMostRounds; ++round)

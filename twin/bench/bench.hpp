@@ -67,7 +67,7 @@ class Bench {
 
  private:
   [[nodiscard]] double gravityAt(double position_rad) noexcept;
-  void settle() noexcept;
+  void restInGears() noexcept;
   void stepRigid(int steps) noexcept;
   void stepShaft(double h) noexcept;
   double jumpTime(double period) noexcept;
