@@ -109,7 +109,7 @@ Additions additionsFrom(const std::vector<std::string>& texts) {
 
 std::string withAdditions(std::string text, const Additions& given) {
   Additions additions = given;  // an effect that needs another law comes after the one that brings it
-  std::ranges::stable_partition(additions.effects, [](const AddedEffect& added) {
+  std::stable_partition(additions.effects.begin(), additions.effects.end(), [](const AddedEffect& added) {
     return effectCalled(added.id).laws == twin::Laws::kReplacesSpeedP;
   });
   for (const AddedNumber& number : additions.numbers)
