@@ -80,8 +80,8 @@ void SoftBody::place() {
   std::array<double, kJoints> pose{};
   for (std::size_t i = 0; i < kJoints; ++i) pose[i] = rowsOf(i).goal_rad.front();
   placeAtRest(m, d, map_, pose, log_.lies_on);
-  if (isClamped()) {
-    const Axes& up = log_.up.value();
+  if (isClamped() && log_.up) {
+    const Axes& up = *log_.up;
     const Eigen::Quaterniond turned =
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d{up[0], up[1], up[2]}, Eigen::Vector3d::UnitZ());
     mjtNum* const quat = d.qpos + map_.trunk_qpos + 3;
