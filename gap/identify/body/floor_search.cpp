@@ -16,6 +16,17 @@ double priceOf(const FloorEffect& effect, double samples) {
   return static_cast<double>(effect.numbers.size()) * std::log(samples);
 }
 
+/// The last effect at another strength: its numbers before `end`; those behind at neutral.
+FloorSet atStrength(FloorSet set, double strength, std::size_t end) {
+  PlacedFloor& last = set.back();
+  for (std::size_t i = 0; i < last.values.size(); ++i) {
+    const FloorEffect::Number& number = last.effect->numbers[i];
+    const double neutral = last.effect->neutral[i], share = number.is_fixed ? 1 : i < end ? strength : 0;
+    last.values[i] = std::clamp(neutral + share * (last.values[i] - neutral), number.low, number.high);
+  }
+  return set;
+}
+
 /// Walks are chaotic: the cost has many minima, and derivatives lead into the nearest. Goes on from a better variation.
 FloorFit outOfValley(FloorEvaluator& evaluator, FloorFit fit) {
   for (int round = 0; round < thresholds::kFloorValleys; ++round) {
@@ -32,6 +43,25 @@ FloorFit outOfValley(FloorEvaluator& evaluator, FloorFit fit) {
 
 }  // namespace
 
+void widenByEqualFits(FloorFit& best, const std::vector<FloorFit>& fits) {
+  for (const FloorFit& other : fits) {
+    if (other.cost > best.cost * (1 + thresholds::kFloorChaos)) continue;
+    for (std::size_t i = 0; i < best.set.size(); ++i)
+      for (std::size_t k = 0; k < best.set[i].values.size(); ++k)
+        best.sigmas[i][k] = std::max(best.sigmas[i][k], std::abs(other.set[i].values[k] - best.set[i].values[k]));
+  }
+}
+
+FloorFit refined(FloorEvaluator& evaluator, const FloorSet& found) {
+  std::vector<FloorFit> fits{fitFloor(evaluator, found, thresholds::kFloorIterations)};
+  for (const double strength : thresholds::kFloorSides)
+    fits.push_back(
+        fitFloor(evaluator, atStrength(found, strength, found.back().values.size()), thresholds::kFloorIterations));
+  FloorFit best = *std::ranges::min_element(fits, {}, &FloorFit::cost);
+  widenByEqualFits(best, fits);
+  return best;
+}
+
 // A place of a mass means nothing without the mass, so that what is at neutral are the vectors behind the first.
 std::vector<FloorSet> variationsOf(const FloorSet& set) {
   const PlacedFloor& last = set.back();
@@ -41,14 +71,7 @@ std::vector<FloorSet> variationsOf(const FloorSet& set) {
     if (i == numbers.size() || (ends.empty() && numbers[i].key != numbers[0].key)) ends.push_back(i);
   std::vector<FloorSet> out;
   for (const std::size_t end : ends)
-    for (const double strength : thresholds::kFloorStrengths) {
-      out.push_back(set);
-      for (std::size_t i = 0; i < last.values.size(); ++i) {
-        const double neutral = last.effect->neutral[i], share = numbers[i].is_fixed ? 1 : i < end ? strength : 0;
-        out.back().back().values[i] =
-            std::clamp(neutral + share * (last.values[i] - neutral), numbers[i].low, numbers[i].high);
-      }
-    }
+    for (const double strength : thresholds::kFloorStrengths) out.push_back(atStrength(set, strength, end));
   return out;
 }
 

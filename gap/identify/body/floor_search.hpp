@@ -18,6 +18,13 @@ struct FloorCandidate {
 std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<const FloorEffect*>& effects,
                                              const FloorSet& found, double base_cost);
 
+/// A number is no better known than fits differ that the recordings do not tell from the best.
+void widenByEqualFits(FloorFit& best, const std::vector<FloorFit>& fits);
+
+/// The best of fits from here and from both sides, under the noise of what was found: its chaos is another than that of
+/// the model without. Equally good fits widen the intervals.
+FloorFit refined(FloorEvaluator& evaluator, const FloorSet& found);
+
 /// The last effect of `set` at other strengths, all of its numbers together and its first vector alone: each is
 /// simulated.
 std::vector<FloorSet> variationsOf(const FloorSet& set);

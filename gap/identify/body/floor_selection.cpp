@@ -44,7 +44,7 @@ class FloorSearch {
   FloorSelection run() {
     while (isOpen(out_.rows_after) && out_.found.size() < thresholds::kMostFloorEffects) {
       const Step step = addNext();
-      if (step == Step::kFound) useNoiseOfFound();
+      if (step == Step::kFound) refine();
       if (step == Step::kNothing || out_.tried.size() >= thresholds::kRefusedOfLimb) break;
     }
     if (of_gyro_) out_.found.insert(out_.found.begin(), *of_gyro_);
@@ -111,9 +111,7 @@ class FloorSearch {
       if (earnsName(candidates[i]) && best.evidence - candidates[i].evidence < thresholds::kRivalEvidence)
         rivals.push_back(candidates[i].fit.set.back());
     out_.found.push_back({.placed = {}, .sigmas = {}, .rivals = std::move(rivals)});
-    for (std::size_t i = 0; i < out_.found.size(); ++i)
-      out_.found[i].placed = best.fit.set[i], out_.found[i].sigmas = best.fit.sigmas[i];
-    out_.rows_after = rowsWith(residuals_, setOf(out_.found));
+    use(best.fit);
     return Step::kFound;
   }
   static bool isLikely(double evidence) { return evidence > -2 * std::log(thresholds::kMechanicalChance); }
@@ -129,13 +127,20 @@ class FloorSearch {
            unseen_.refute(before, after);
   }
 
-  /// What is left may be chaos of the model that was found, which its own repeats and engines show: a further name has
-  /// to explain more.
-  void useNoiseOfFound() {
-    if (!isOpen(out_.rows_after)) return;
-    const FloorSet found = setOf(out_.found);
+  void use(const FloorFit& fit) {
+    for (std::size_t i = 0; i < out_.found.size(); ++i)
+      out_.found[i].placed = fit.set[i], out_.found[i].sigmas = fit.sigmas[i];
+  }
+
+  /// Under the noise of what was found: its repeats and engines show its chaos. What is left may be that chaos: a
+  /// further name has to explain more.
+  void refine() {
     about_found_ = std::move(about_next_);
     evaluator_.useNoiseOf(*about_found_);
+    use(refined(evaluator_, setOf(out_.found)));
+    const FloorSet found = setOf(out_.found);
+    out_.rows_after = rowsWith(residuals_, found);
+    if (!isOpen(out_.rows_after)) return;
     out_.rows_after = rowsWith(*about_found_, found);
     excess_of_none_ = excessOf({});
   }
@@ -150,7 +155,7 @@ class FloorSearch {
   const FloorModel about_;
   const FloorResiduals residuals_;
   std::unique_ptr<FloorResiduals> about_next_;   // noise of the candidate that was judged last
-  std::unique_ptr<FloorResiduals> about_found_;  // noise of what was found, where rows are still open
+  std::unique_ptr<FloorResiduals> about_found_;  // noise of what was found
   const double open_from_;
   FloorEvaluator evaluator_;
   const UnseenFloor unseen_;

@@ -64,6 +64,18 @@ TEST(FloorSearch, AMassIsVariedAsAWholeAndWithoutItsPlace) {
   EXPECT_THAT(variationsOf({{&tilt, {0.04, -0.01}}}), SizeIs(4));
 }
 
+TEST(FloorSearch, ANumberIsAsUncertainAsEquallyGoodFitsDiffer) {
+  const std::vector<FloorEffect> effects = floorEffects(twin::readModel(twin::findModel("darwin-op")));
+  const FloorEffect& tilt = effectCalled(effects, "floor_tilt", "floor");
+  const auto fitAt = [&](double x, double y, double cost) {
+    return FloorFit{.set = {{&tilt, {x, y}}}, .sigmas = {{0.001, 0.002}}, .cost = cost};
+  };
+  FloorFit best = fitAt(0.04, 0.01, 3870);
+  widenByEqualFits(best, {best, fitAt(0.05, 0.011, 4100), fitAt(0.09, 0.09, 4400)});
+  EXPECT_THAT(best.sigmas.front(), testing::Pointwise(testing::DoubleNear(1e-9), {0.01, 0.002}));
+  EXPECT_EQ(best.cost, 3870);
+}
+
 TEST(FloorSearch, AContactTimeGainsNoMoreThanItsDeviationAmongEnginesCosts) {
   const std::vector<FloorEffect> effects = floorEffects(twin::readModel(twin::findModel("darwin-op")));
   const FloorEffect &time = effectCalled(effects, "contact_time", "floor"),
