@@ -18,7 +18,7 @@ struct FloorCandidate {
 std::vector<FloorCandidate> nextFloorEffects(FloorEvaluator& evaluator, const std::vector<const FloorEffect*>& effects,
                                              const FloorSet& found, double base_cost);
 
-/// A number is no better known than fits differ that the recordings do not tell from the best.
+/// A number is no better known than equally good fits differ: of about the cost of the best.
 void widenByEqualFits(FloorFit& best, const std::vector<FloorFit>& fits);
 
 /// The best of fits from here and from both sides, under the noise of what was found: its chaos is another than that of
