@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/text/nearest.hpp"
+#include "gap/report/joint_numbers.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -108,7 +109,8 @@ Additions additionsFrom(const std::vector<std::string>& texts) {
 }
 
 std::string withAdditions(std::string text, const Additions& given) {
-  Additions additions = given;  // an effect that needs another law comes after the one that brings it
+  Additions additions = withJointNumbers(given, twin::parseModel(text, "the model"));
+  // An effect that needs another law comes after the one that brings it.
   std::stable_partition(additions.effects.begin(), additions.effects.end(), [](const AddedEffect& added) {
     return effectCalled(added.id).laws == twin::Laws::kReplacesSpeedP;
   });

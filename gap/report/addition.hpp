@@ -30,7 +30,7 @@ struct AddedNumber {
   std::string key;  // "kt" of the section, "viscous.damping" of an effect that the model has
   double value = 0;
   std::string section = "servo";
-  std::optional<Joint> joint = {};  // of an effect's number: in the section of that joint
+  std::optional<Joint> joint = {};  // in the sections of that joint, if effects have it
 };
 
 /// A key with a number for x, y and z.

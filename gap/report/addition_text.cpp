@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "gap/report/addition.hpp"
+#include "gap/report/joint_numbers.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -18,7 +19,8 @@ std::vector<std::string> placesIn(const twin::Model& model, const std::string& i
 
 }  // namespace
 
-std::vector<std::string> changesBy(const Additions& additions, const twin::Model& before) {
+std::vector<std::string> changesBy(const Additions& given, const twin::Model& before) {
+  const Additions additions = withJointNumbers(given, before);
   std::vector<std::string> lines;
   for (const AddedEffect& added : additions.effects) {
     const std::vector<std::string> there = placesIn(before, added.id);

@@ -28,8 +28,8 @@ constexpr auto kConfusedWith = std::to_array<std::string_view>(
     {"viscous", "resistance_error", "speed_limit", "supply_sag", "load_dependent_friction", "com_mass"});
 constexpr auto kRevealedBy =
     std::to_array<LogFeature>({LogFeature::kVoltageColumn, LogFeature::kTorqueOff, LogFeature::kFastMotion});
-constexpr auto kAliases =
-    std::to_array<BaselineAlias>({{.number = "kt", .relation = BaselineAlias::Relation::kRelativeChange}});
+constexpr auto kAliases = std::to_array<BaselineAlias>(
+    {{.number = "kt", .relation = BaselineAlias::Relation::kRelativeChange, .with = "back_emf"}});
 constexpr auto kOtherNames = std::to_array<OtherName>({{"kt_fac", "change", 1}});
 
 class KtError final : public EffectOf<kKtError, kParameters.size()> {

@@ -84,6 +84,7 @@ struct BaselineAlias {
   Relation relation;
   std::size_t parameter = 0;       // index; of kOwnValue: 0
   std::string_view case_key = {};  // of kOwnValue: its name in baseline.params of a case.json
+  std::string_view with = {};      // another number of the baseline, which the effect scales alike
 };
 
 /// A parameter that a synthetic case draws at random.
