@@ -46,8 +46,8 @@ class JointGuard {
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
   /// As far as is known the servo has torque, regardless of which process switched it on.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
-  /// The servo was polled since it replies; or it does not reply, and its torque cannot be known.
-  [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
+  /// The servo was polled since it replies; or it does not reply, and its torque cannot be known; or there is none.
+  [[nodiscard]] bool torqueKnown() const noexcept { return absent_ || torque_known_ || watch_.lost(); }
   /// Servo power is off, and with it the torque; or may have been.
   void forgetTorque() noexcept { stiff_ = torque_known_ = false; }
   /// Requested reset: a servo that shut itself off may be driven again.
