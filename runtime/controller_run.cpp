@@ -51,7 +51,7 @@ class LoopFigures {
     Sensors last;
     const bool timed = !std::isnan(now->wake.max());  // simulated time has no latencies
     if (!timed || !exchange_.block().sensors.read(last)) return {};
-    if (ended_well && last.safety.at_end == Reaction::kHold) return {};
+    if (ended_well && last.safety.at_end == Reaction::kHold && last.safety.reaction < Reaction::kKneel) return {};
     const JointSet present = everAnswered(last);
     const State state = last.safety.state;
     if (state == State::kLimp || state == State::kOffline) return perhapsUnderTorque(last, present);

@@ -37,7 +37,10 @@ bool Rest::reached(const Sensors& seen) noexcept {
   const std::uint64_t limp = cyclesIn(State::kLimp, seen, limp_since_);
   const std::uint64_t offline = cyclesIn(State::kOffline, seen, offline_since_);
   if (seen.cycle - *first_ < kTakenIn) return false;
-  if (on_exit_ == safety::OnExit::kHold) return true;
+  // What a fault demands goes before on_exit, as in safety.
+  const bool by_fault = seen.safety.reaction >= Reaction::kKneel || seen.safety.state == State::kKneeling ||
+                        seen.safety.state == State::kLimp;
+  if (on_exit_ == safety::OnExit::kHold && !by_fault) return true;
   const bool all_limp = perhapsUnderTorque(seen, everAnswered(seen)).none();
   return limp >= (all_limp ? kLookedAtAll : kGivenUp) || offline >= offline_cycles_;
 }

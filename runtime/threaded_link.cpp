@@ -1,6 +1,8 @@
 // Embedded loop.
 #include "runtime/threaded_link.hpp"
 
+#include <thread>
+
 namespace darwinop::runtime {
 
 ThreadedLink::ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus)
@@ -28,7 +30,7 @@ ThreadedLink::~ThreadedLink() {
   const Nanos give_up = now() + rest_.atMost(sensors());
   const std::atomic<bool> go_on{false};
   for (Sensors seen = sensors(); !rest_.reached(seen) && now() < give_up; seen = sensors())
-    (void)waitForCycle(seen.cycle + 1, go_on);
+    if (!waitForCycle(seen.cycle + 1, go_on)) std::this_thread::sleep_for(period());  // cannot be read any more
 }
 
 }  // namespace darwinop::runtime

@@ -68,6 +68,17 @@ TEST_F(RestTest, ASessionThatMovesMoreGentlyGetsMoreTime) {
   EXPECT_GT(rest_.atMost(seen_), std::chrono::seconds{180});
 }
 
+TEST_F(RestTest, AFaultThatSitsTheRobotDownIsNotCutOffByHold) {
+  safety::Config config;
+  config.on_exit = safety::OnExit::kHold;
+  rest_ = Rest{config, milliseconds{16}};
+  seen_.safety.reaction = Reaction::kKneel;
+  EXPECT_EQ(cyclesIn(State::kDriven), std::nullopt) << "the kneel begins";
+  EXPECT_EQ(cyclesIn(State::kKneeling), std::nullopt);
+  seen_.safety.reaction = Reaction::kLimp;
+  EXPECT_EQ(cyclesIn(State::kLimp), kRound);
+}
+
 TEST_F(RestTest, ALimpRobotIsNotLeftBeforeTheEndOfTheSessionIsTakenIn) {
   safety::Config config;
   config.on_exit = safety::OnExit::kHold;
