@@ -43,8 +43,14 @@ void DefaultController::updateWithoutRuntime(Nanos now) {
   if (state_ == State::kEnding) whileEnding(false, now);
 }
 
-void DefaultController::onEnd(const process::Ending& ending, Nanos now) {
+/// A process that a crashed controller has forked holds the lease with it: no other controller could drive.
+void DefaultController::forgetChild(const process::Ending& ending) {
+  if (!ending.isNormal()) child_->killRemaining();
   child_.reset();
+}
+
+void DefaultController::onEnd(const process::Ending& ending, Nanos now) {
+  forgetChild(ending);
   // Such a fault ends the controller with any exit code. It is neither a normal end nor a crash.
   if (latched_at_ && now - *latched_at_ <= kTimeToEnd)
     return become(State::kWaiting, name_ + " has ended because of a fault that needs user action");
@@ -93,10 +99,10 @@ void DefaultController::whileEnding(bool loop_turns, Nanos now) {
   const auto ending = child_->ended();
   if (!ending && now >= kill_at_) {
     once_.log(name_ + " has not ended within " + text::inSeconds(kTimeToEnd) + messages::kKilled);
-    child_->signal(SIGKILL);
+    child_->signalGroup(SIGKILL);
   }
   if (!ending) return;
-  child_.reset();
+  forgetChild(*ending);
   if (loop_turns && !ending->isNormal()) endSession();
   if (again_) return restart(now);
   become(State::kOver, name_ + messages::kStopped);

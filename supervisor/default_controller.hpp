@@ -67,6 +67,7 @@ class DefaultController {
   void begin(Nanos now);
   bool chooseAccount(process::Start& start);
   void onEnd(const process::Ending& ending, Nanos now);
+  void forgetChild(const process::Ending& ending);
   void end(Nanos now);
   void whileEnding(bool loop_turns, Nanos now);
   void endSession();

@@ -168,6 +168,10 @@ void ChildProcess::signalGroup(int number) {
   if (!ended() && kill(-pid_, number) != 0) kill(pid_, number);
 }
 
+void ChildProcess::killRemaining() {
+  if (ended()) kill(-pid_, SIGKILL);
+}
+
 Ending ChildProcess::waitOrKill(std::chrono::milliseconds grace) {
   if (!waitFor(grace)) signal(SIGKILL);
   return wait();

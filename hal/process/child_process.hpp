@@ -52,6 +52,8 @@ class ChildProcess {
   void signal(int number);
   /// To its process group; to the process if it does not lead one yet. No effect after its end.
   void signalGroup(int number);
+  /// SIGKILL to what the process has started in its group and has left behind; no effect before its end.
+  void killRemaining();
   /// Waits; after `grace` kills the process, not its group.
   Ending waitOrKill(std::chrono::milliseconds grace);
   /// Lets it run on: it is neither ended nor reaped by us.

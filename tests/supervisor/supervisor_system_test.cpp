@@ -152,6 +152,14 @@ TEST_F(Home, ARuntimeDeathDuringUnplugIsRescuedAfterReplug) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
+/// As Python's multiprocessing does: the lease belongs to both.
+TEST_F(Home, WhatACrashedControllerHasForkedDoesNotKeepTheRobot) {
+  startVirtualRobot();
+  plan("fork");
+  startSupervisor();
+  EXPECT_TRUE(says(std::string{"walk"} + messages::kFailed + "3 ", seconds{25})) << supervisor_->output();
+}
+
 TEST_F(Home, AfterThreeCrashesTheRobotIsHeldWithRedLights) {
   startVirtualRobot();
   plan("crash");

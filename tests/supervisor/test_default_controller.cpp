@@ -1,6 +1,7 @@
 // Default controller of the system tests. Behaviour by the file "plan" in its folder:
 //   hold    stretches both knees and holds them until SIGTERM
 //   crash   the same, and crashes during it
+//   fork    the same, and leaves a process behind that shares its descriptors
 //   unresponsive    the same, and then neither steps nor handles SIGTERM
 //   once    ends at once
 //   sit     stays in the start pose until SIGTERM, and then ends with an error
@@ -28,7 +29,9 @@ int main() {
   }
   int steps = 0;
   while (robot.step(step_ms) != -1) {
-    if (++steps == 10 && plan == "crash") std::abort();
+    if (++steps == 10 && plan == "fork" && fork() == 0)
+      for (;;) pause();
+    if (steps == 10 && (plan == "crash" || plan == "fork")) std::abort();
     if (steps != 40) continue;
     std::cout << "stands" << std::endl;
     if (plan == "unresponsive") std::signal(SIGTERM, SIG_IGN);
