@@ -141,8 +141,10 @@ Identification RoughSelection::result() const {
     withdraw(study_, true, found);
   // No effect could have been named, whatever the logs contain.
   if (found.verdict == Verdict::kUnknown &&
-      std::ssize(independentLogs(*model_.evidence)) < CrossValidation::kFewestLogs)
+      std::ssize(independentLogs(*model_.evidence)) < CrossValidation::kFewestLogs) {
+    if (!found.effects.empty()) withdraw(study_, false, found);
     found.verdict = Verdict::kCannotTell, found.too_few_logs = true;
+  }
   return found;
 }
 

@@ -131,7 +131,7 @@ FloorFit fitFloor(FloorEvaluator& evaluator, FloorSet set, int iterations) {
         numberAt(fit.set, free[i]).inSearch(fit.set[free[i].effect].values[free[i].number]);
   Eigen::VectorXd z = withPriors(fit.set, evaluator.residuals({fit.set}).front());
   fit.cost = robustCost(z);
-  Eigen::MatrixXd information = Eigen::MatrixXd::Identity(n, n);
+  Eigen::MatrixXd of_data = Eigen::MatrixXd::Zero(n, n), of_priors = Eigen::MatrixXd::Identity(n, n);
   double damping = 1e-2;
   for (int iteration = 0; iteration < iterations && n > 0; ++iteration) {
     std::vector<FloorSet> moved;
@@ -151,11 +151,16 @@ FloorFit fitFloor(FloorEvaluator& evaluator, FloorSet set, int iterations) {
     }
     // Derivative of the robust cost: weight of each residual.
     const Eigen::VectorXd weight = (1 + (z.array() / thresholds::kRobustSigmas).square()).rsqrt();
-    information = jacobian.transpose() * weight.asDiagonal() * jacobian;
+    const auto informationOf = [&](Eigen::Index first, Eigen::Index rows) -> Eigen::MatrixXd {
+      const auto part = jacobian.middleRows(first, rows);
+      return part.transpose() * weight.segment(first, rows).asDiagonal() * part;
+    };
+    of_data = informationOf(0, evaluator.size());
+    of_priors = informationOf(evaluator.size(), z.size() - evaluator.size());
     const Eigen::VectorXd slope = jacobian.transpose() * weight.cwiseProduct(z);
     const double before = fit.cost;
     for (; damping < kMostFloorDamping; damping *= 10) {
-      Eigen::MatrixXd left = information;
+      Eigen::MatrixXd left = of_data + of_priors;
       left.diagonal() *= 1 + damping;
       left.diagonal().array() += 1e-9;
       const FloorSet next = at(x - left.ldlt().solve(slope));
@@ -171,12 +176,16 @@ FloorFit fitFloor(FloorEvaluator& evaluator, FloorSet set, int iterations) {
     if (before - fit.cost < std::max(kLeastFloorGain, thresholds::kFloorTolerance * before)) break;
   }
   if (n == 0) return fit;
+  // Samples of a log depend on each other, and what no model explains is not noise: both widen what data show.
+  const double of_noise = thresholds::kFloorCostOfNoise * static_cast<double>(evaluator.size());
+  Eigen::MatrixXd information =
+      of_data / (thresholds::kCorrelatedSamples * std::max(1.0, fit.cost / of_noise)) + of_priors;
   information.diagonal().array() += 1e-9;
   const Eigen::MatrixXd covariance = information.inverse();
   for (std::size_t i = 0; i < free.size(); ++i) {
     const FloorEffect::Number& number = numberAt(fit.set, free[i]);
     const auto k = static_cast<Eigen::Index>(i);
-    const double sigma = std::sqrt(std::max(0.0, covariance(k, k)) * thresholds::kCorrelatedSamples);
+    const double sigma = std::sqrt(std::max(0.0, covariance(k, k)));
     fit.sigmas[free[i].effect][free[i].number] =
         number.is_logarithmic ? sigma * fit.set[free[i].effect].values[free[i].number] : sigma;
   }

@@ -127,9 +127,14 @@ class FloorSearch {
            unseen_.refute(before, after);
   }
 
+  /// What chaos has widened stays as wide: later fits begin in one valley of it.
   void use(const FloorFit& fit) {
-    for (std::size_t i = 0; i < out_.found.size(); ++i)
-      out_.found[i].placed = fit.set[i], out_.found[i].sigmas = fit.sigmas[i];
+    for (std::size_t i = 0; i < out_.found.size(); ++i) {
+      std::vector<double> sigmas = fit.sigmas[i];
+      for (std::size_t k = 0; k < out_.found[i].sigmas.size(); ++k)
+        sigmas[k] = std::max(sigmas[k], out_.found[i].sigmas[k]);
+      out_.found[i].placed = fit.set[i], out_.found[i].sigmas = std::move(sigmas);
+    }
   }
 
   /// Under the noise of what was found: its repeats and engines show its chaos. What is left may be that chaos: a
@@ -137,8 +142,10 @@ class FloorSearch {
   void refine() {
     about_found_ = std::move(about_next_);
     evaluator_.useNoiseOf(*about_found_);
-    use(refined(evaluator_, setOf(out_.found)));
-    const FloorSet found = setOf(out_.found);
+    FloorSet found = setOf(out_.found), without = found;
+    without.pop_back();
+    if (const FloorFit again = refined(evaluator_, found); !isContradicted(without, again.set))
+      use(again), found = again.set;
     out_.rows_after = rowsWith(residuals_, found);
     if (!isOpen(out_.rows_after)) return;
     out_.rows_after = rowsWith(*about_found_, found);

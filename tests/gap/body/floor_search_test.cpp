@@ -41,6 +41,21 @@ TEST(FloorSearch, NoModelIsSimulatedTwiceWhereOldTracesAreForgotten) {
   EXPECT_EQ(evaluator.simulations(), kMoreThanAreKept);
 }
 
+// The place of a mass that is not there.
+TEST(FloorSearch, ANumberWithoutInfluenceIsAsUncertainAsItsPrior) {
+  FloorModel heavy = shippedOnFloor();
+  heavy.robot.floor.trunk_com_shift_m = {0, 0, 0.01};
+  const BodyCase given = standingRobot(heavy);
+  const MovingImu imu{given.joints.model};
+  const FloorResiduals residuals{given, {0, 1}, imu, shippedOnFloor()};
+  FloorEvaluator evaluator{residuals, shippedOnFloor()};
+  const std::vector<FloorEffect> effects = floorEffects(given.joints.model);
+  const FloorEffect& mass = effectCalled(effects, "link_mass", "Body");
+  const FloorFit fit = fitFloor(evaluator, {{&mass, {0, 0, 0, 0}}}, 1);
+  for (const std::size_t of_place : {1, 2, 3})
+    EXPECT_NEAR(fit.sigmas.front().at(of_place), mass.numbers.at(of_place).prior_sigma, 1e-6);
+}
+
 // A robot that leans is not linear in the floor that slopes; one that lies still is. Both together suggest 0.093.
 TEST(FloorSearch, AFitBeginsWhereOneLogByItselfIsExplained) {
   FloorModel sloped = shippedOnFloor();
