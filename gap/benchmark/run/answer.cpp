@@ -23,6 +23,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLongestWhy = 70;  // columns
+constexpr std::size_t kLongestFile = std::size_t{1} << 30;
 
 json failed(const std::string& name, const std::string& why) {
   json answer = badInput(name, why);
@@ -84,8 +85,18 @@ json answerFor(const std::string& folder) {
 }
 
 std::string fingerprintOf(const std::string& folder) try {
-  const std::optional<std::string> text = readTextFile((std::filesystem::path{folder} / "case.json").string());
-  return text ? sha256(*text) : "";
+  const auto textOf = [&](const std::string& file) {
+    return readTextFile((std::filesystem::path{folder} / file).string(), kLongestFile).value_or("");
+  };
+  const std::string text = textOf("case.json");
+  if (text.empty()) return "";
+  std::string hashes = sha256(text);
+  const json declared = json::parse(text, nullptr, false);
+  if (declared.is_object() && declared.contains("logs") && declared["logs"].is_array())
+    for (const json& log : declared["logs"])
+      if (log.is_object() && log.contains("file") && log["file"].is_string())
+        hashes += " " + sha256(textOf(log["file"].get<std::string>()));
+  return sha256(hashes);
 } catch (const std::runtime_error&) {
   return "";  // answerFor() reports it
 }

@@ -57,6 +57,14 @@ bool GradedCase::honest() const {
          });
 }
 
+bool GradedCase::namesNothingFalse() const {
+  return answer != nullptr && std::ranges::all_of(answer->effects, [&](const AnswerEffect& named) {
+           return hides(named.id) || std::ranges::any_of(answer->ambiguity, [&](const std::vector<std::string>& set) {
+                    return std::ranges::find(set, named.id) != set.end();
+                  });
+         });
+}
+
 bool GradedCase::alarm() const {
   return answer == nullptr || hasVerdict("named") || hasVerdict("ambiguous") || hasVerdict("unknown") ||
          hasVerdict("bad_input");
@@ -106,7 +114,7 @@ bool GradedCase::fair() const {
   switch (key.kind) {
     case CaseClass::kSingle:
     case CaseClass::kDouble:
-      return honest();
+      return honest() && namesNothingFalse();
     case CaseClass::kEffectFree:
       return !alarm();
     case CaseClass::kOutside:

@@ -22,6 +22,8 @@ struct GradedCase {
   [[nodiscard]] bool namedAll() const;
   /// Named, or in an ambiguity that is small enough to help.
   [[nodiscard]] bool honest() const;
+  /// Every named effect is hidden, or in the ambiguity.
+  [[nodiscard]] bool namesNothingFalse() const;
   /// False alarm: an effect-free case with a finding, or without a result.
   [[nodiscard]] bool alarm() const;
   /// One of the first places is one where the effect outside the catalogue shows; true where the key has no places.

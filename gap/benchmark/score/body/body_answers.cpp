@@ -38,6 +38,13 @@ BodyAnswer answerOf(const Json& json) {
 
 }  // namespace
 
+const BodyAnswer* countedAnswer(const BodyAnswers& answers, const std::string& name) {
+  const auto found = answers.find(name);
+  if (found == answers.end() || found->second.runtime_s > kBodyTooLate || found->second.verdict == "error")
+    return nullptr;
+  return &found->second;
+}
+
 BodyAnswers readBodyAnswers(const std::string& path) {
   BodyAnswers answers;
   forEachResult(path, [&](const std::string& name, const Json& result) { answers[name] = answerOf(result); });

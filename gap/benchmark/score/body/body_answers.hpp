@@ -25,6 +25,10 @@ struct BodyAnswer {
 };
 using BodyAnswers = std::map<std::string, BodyAnswer>;  // by name of the case
 
+inline constexpr double kBodyTooLate = 300;  // s; such an answer is none
+/// The answer to this case if it counts: in time, and no failure of the program. Else null.
+const BodyAnswer* countedAnswer(const BodyAnswers& answers, const std::string& name);
+
 /// Throws std::runtime_error, a sentence with file and case.
 BodyAnswers readBodyAnswers(const std::string& path);
 

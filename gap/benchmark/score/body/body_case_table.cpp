@@ -49,11 +49,11 @@ std::string bodyCaseTable(const BodyKeys& keys, const BodyAnswers& answers) {
   std::string text = "| case | hidden | verdict | answer | |\n|---|---|---|---|---|\n";
   for (const auto& [name, key] : keys) {
     const auto found = answers.find(name);
-    const bool counts = found != answers.end();
-    const GradedBody graded{key, counts ? &found->second : nullptr};
+    const bool is_answered = found != answers.end();
+    const GradedBody graded{key, countedAnswer(answers, name)};
     text += "| " + name + " | " + (key.effects.empty() ? graded.truth() : described(key.effects)) + " | " +
-            (counts ? found->second.verdict : graded.answered()) + " | " + (counts ? answered(found->second) : "") +
-            " | " + (graded.right() ? "" : "missed") + " |\n";
+            (is_answered ? found->second.verdict : graded.answered()) + " | " +
+            (is_answered ? answered(found->second) : "") + " | " + (graded.right() ? "" : "missed") + " |\n";
   }
   return text;
 }

@@ -7,7 +7,8 @@
 
 namespace darwinop::gap {
 
-/// In the order of the keys. Numbers as in key and answer, whatever the time of an answer.
+/// In the order of the keys. Numbers as in key and answer; "missed" as bodyScoreOf() counts, so also an answer that is
+/// late.
 std::string bodyCaseTable(const BodyKeys& keys, const BodyAnswers& answers);
 
 }  // namespace darwinop::gap

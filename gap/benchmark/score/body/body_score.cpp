@@ -105,15 +105,13 @@ Score bodyScoreOf(const BodyKeys& keys, const BodyAnswers& answers) {
   std::map<std::tuple<CaseClass, std::string, std::string>, std::vector<std::string>> confusions;
   for (const auto& [name, key] : keys) {
     const auto found = answers.find(name);
-    const bool counts =
-        found != answers.end() && !(found->second.runtime_s > kBodyTooLate) && found->second.verdict != "error";
-    const GradedBody graded{key, counts ? &found->second : nullptr};
+    const GradedBody graded{key, countedAnswer(answers, name)};
     ++score.cases;
     tally.count(graded);
     score.fair.count(graded.right());
     if (found != answers.end() && std::isfinite(found->second.runtime_s))
       tally.runtime.values.push_back(found->second.runtime_s);
-    if (!counts) score.unanswered.push_back(name);
+    if (graded.answer == nullptr) score.unanswered.push_back(name);
     if (!graded.right()) confusions[{classOf(graded), graded.truth(), graded.answered()}].push_back(name);
   }
   for (const auto& [name, answer] : answers)

@@ -29,8 +29,6 @@ inline constexpr const char* kOutside = "outside: no false name";
 inline constexpr const char* kOutsidePlace = "outside: place right";
 }  // namespace body_figures
 
-inline constexpr double kBodyTooLate = 300;  // s; such an answer is none
-
 Score bodyScoreOf(const BodyKeys& keys, const BodyAnswers& answers);
 
 }  // namespace darwinop::gap

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "gap/benchmark/score/body/body_case_table.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {
@@ -106,6 +107,28 @@ TEST(BodyScore, OutsideOfTheCatalogueThePlaceIsThatOfAnOpenSignal) {
       {{"a", saying("unknown", {"FootR.position", "Neck.position"})}, {"b", naming({{"coulomb", {"Neck"}, {}}})}});
   EXPECT_EQ(figure(score, body_figures::kOutside), (Counted{1, 2}));
   EXPECT_EQ(figure(score, body_figures::kOutsidePlace), (Counted{1, 2}));
+}
+
+/// Cases in the table that are marked as missed.
+std::size_t missedIn(const std::string& table) {
+  std::size_t count = 0;
+  for (std::size_t at = table.find("| missed |"); at != std::string::npos; at = table.find("| missed |", at + 1))
+    ++count;
+  return count;
+}
+
+TEST(BodyScore, TheTableCountsAsTheExamDoes) {
+  const BodyKeys keys{{"a", hiding({{"link_mass", {"Body"}, {}}})}};
+  BodyAnswer answer = naming({{"link_mass", {"Body"}, {}}});
+  EXPECT_EQ(missedIn(bodyCaseTable(keys, {{"a", answer}})), 0U);
+  EXPECT_EQ(missedIn(bodyCaseTable(keys, {})), 1U) << "no answer";
+  answer.runtime_s = kBodyTooLate + 1;
+  EXPECT_EQ(bodyScoreOf(keys, {{"a", answer}}).fair.right, 0U);
+  EXPECT_EQ(missedIn(bodyCaseTable(keys, {{"a", answer}})), 1U) << "a late one";
+  EXPECT_THAT(bodyCaseTable(keys, {{"a", answer}}), testing::HasSubstr("link_mass Body")) << "what it was stays";
+  BodyKey outside = hiding({{"cable", {"Neck"}, {}}});
+  outside.is_outside = true;
+  EXPECT_EQ(missedIn(bodyCaseTable({{"a", outside}}, {{"a", saying("error")}})), 1U);
 }
 
 TEST(BodyScore, AKeyIsReadAsItWasWritten) {

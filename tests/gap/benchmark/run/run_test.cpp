@@ -123,6 +123,18 @@ TEST_F(SuiteAlone, ResumeRunsAnotherCaseOfTheSameNameAgain) {
   EXPECT_THAT(run, ElementsAre("b"));
 }
 
+TEST_F(SuiteAlone, ResumeRunsACaseWithOtherLogsAgain) {
+  std::ofstream{folder.cases() + "/b/case.json"} << R"({"logs": [{"file": "fit_1.csv"}]})";
+  std::ofstream{folder.cases() + "/b/fit_1.csv"} << "time\n0\n";
+  (void)runSuite(suite);
+  std::ofstream{folder.cases() + "/b/fit_1.csv"} << "time\n1\n";
+  suite.resume = true;
+  std::set<std::string> run;
+  suite.progress = [&](const SuiteProgress& progress) { run.insert(progress.answer.at("case")); };
+  EXPECT_EQ(runSuite(suite).size(), 3U);
+  EXPECT_THAT(run, ElementsAre("b"));
+}
+
 TEST_F(SuiteAlone, AKilledRunLosesOnlyTheCaseInProgress) {
   suite.answer = [&](const std::string& path) -> json {
     if (path.ends_with("b")) throw 1;  // nothing that is caught: as good as a kill

@@ -201,6 +201,14 @@ TEST(Score, ReportsTheShareOfFairAnswers) {
   EXPECT_FALSE(isBelow(score, 0.89));
 }
 
+TEST(Score, AnAnswerWithAFalseNameBesideTheRightOneIsNotFair) {
+  HandMade made;
+  made.answers["a"].effects.push_back({"backlash", {}, {}});
+  made.answers["c"].effects.push_back({"backlash", {}, {}});
+  made.answers["c"].ambiguity.front().push_back("backlash");
+  expectShare(scoreOf(made.keys, made.answers).fair, 6, 10);
+}
+
 TEST(Score, CountsOneNameTooManyAsWrong) {
   HandMade made;
   made.answers["g"].effects.push_back({"backlash", {}, {}});
