@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 
+#include "exit_codes.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/parallel/ranks.hpp"
 #include "gap_options.hpp"
@@ -33,7 +34,8 @@ int command(int count, char** arguments) {
   gap::Arguments given;
   CLI::App app{
       "Locates where logs and model diverge, identifies the missing effect, adds it to the model.\n\n"
-      "Exit code of run: 0 nothing is missing, 10 named, 11 ambiguous, 12 unknown, 13 cannot tell, 2 bad input.",
+      "Exit code of run: 0 nothing is missing, 10 named, 11 ambiguous, 12 unknown, 13 cannot tell, 2 bad input, "
+      "1 a failure after that.",
       "darwinop gap"};
   app.require_subcommand(1);
   app.fallthrough();  // --threads behind the command
@@ -48,6 +50,12 @@ int command(int count, char** arguments) {
   return 2;
 }
 
+int failed(const std::exception& error, int code) {
+  std::cerr.clear();
+  std::cerr << "darwinop gap: " << error.what() << '\n';
+  return gap::Ranks::giveUp(code);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -58,9 +66,9 @@ int main(int count, char** arguments) {
     const int code = command(count, arguments);
     std::cout.flush();
     return gap::Ranks::isFirst() ? code : 0;
+  } catch (const gap::NotDelivered& error) {
+    return failed(error, darwinop::app::kFailed);
   } catch (const std::exception& error) {
-    std::cerr.clear();
-    std::cerr << "darwinop gap: " << error.what() << '\n';
-    return gap::Ranks::giveUp(2);
+    return failed(error, darwinop::app::kWrong);
   }
 }

@@ -52,11 +52,13 @@ int locateBody(const Arguments& given) {
   return 0;
 }
 
-int runBody(const Arguments& given) {
-  const BodyCase read = readBody(given);
+namespace {
+
+/// The search, and what it found as text and files.
+int searchRobot(const BodyCase& read, const Arguments& given, const std::string& folder) {
   const BodyIdentification found = identify(read);
   BodyReport report = reportOf(read, found, modelText(given, read));
-  const std::string folder = reportFolder(given, read.name), on = shellWord(given.folder);
+  const std::string on = shellWord(given.folder);
   report.commands = {"darwinop gap run" + modelOption(given) + " " + on};
   if (!report.answer["effects"].empty()) {
     report.commands.push_back("darwinop gap add" + modelOption(given) + " " + on + " " +
@@ -75,6 +77,15 @@ int runBody(const Arguments& given) {
     showReport(given, folder, !report.answer["effects"].empty());
   }
   return exitCodeOf(found.verdict);
+}
+
+}  // namespace
+
+int runBody(const Arguments& given) {
+  const BodyCase read = readBody(given);
+  const std::string folder = reportFolder(given, read.name);
+  if (!given.no_report) requireReportFolder(folder);
+  return deliver([&] { return searchRobot(read, given, folder); });
 }
 
 int addToBody(const Arguments& given) {

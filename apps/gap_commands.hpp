@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,13 @@ struct Arguments {
 
   [[nodiscard]] std::string jointOrUsual() const { return joint.empty() ? kUsualJoint : joint; }
 };
+
+/// Arguments and data were right, and what was computed was not delivered: exit code 1.
+struct NotDelivered : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// Runs `work`, which begins when arguments and files have been read: what it throws is NotDelivered, except BadInput.
+int deliver(const std::function<int()>& work);
 
 /// A folder of raw logs without a case.json is made into a case in the folder `into`; notes go to stderr.
 void makeRawCase(const Arguments& given, const std::string& raw, const std::string& into);

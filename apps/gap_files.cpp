@@ -86,6 +86,15 @@ void requireWritable(const std::string& path) {
   if (is_new) unlink(path.c_str());
 }
 
+void requireReportFolder(const std::string& path) {
+  fs::path there = fs::absolute(path);
+  while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there)) throw std::runtime_error(there.string() + messages::kNoReportFolder);
+  if (access(there.c_str(), W_OK | X_OK) != 0)
+    throw std::runtime_error("cannot write in " + there.string() + ": " + std::strerror(errno) +
+                             messages::kOtherReport);
+}
+
 void putBody(const twin::Model& model, const std::string& folder, twin::OtherBody other) {
   if (const std::string wrong = twin::copyBody(model, folder, other); !wrong.empty())
     std::cerr << "darwinop gap: " << wrong << '\n';

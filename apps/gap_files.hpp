@@ -12,6 +12,8 @@ inline constexpr const char* kOutExists = " exists; give another folder with --o
 inline constexpr const char* kOtherCase =
     " is not the case that these logs make now, and may have been edited; run it with "
     "darwinop gap run ";
+inline constexpr const char* kOtherReport = "; give another folder with --report";
+inline constexpr const char* kNoReportFolder = " is not a folder; give another folder with --report";
 inline constexpr const char* kModelOfReport = ", repaired.ini the model with the effects";
 inline constexpr const char* kRecordingExists =
     " exists; --resume keeps the recordings there and makes the others, or give another folder with --out";
@@ -29,6 +31,9 @@ void makeFolder(const std::string& path);
 std::string newCaseFile(const std::string& folder);
 /// Before a long computation: throws as writeTextFile() would after it. Nothing stays, and no file is changed.
 void requireWritable(const std::string& path);
+
+/// The same for the files of a report in this folder, which need not exist.
+void requireReportFolder(const std::string& path);
 
 /// The body of `model` for a model file in the folder; if that finds another one, stderr says so.
 void putBody(const twin::Model& model, const std::string& folder, twin::OtherBody other);

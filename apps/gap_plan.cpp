@@ -41,10 +41,23 @@ int planForBody(const Arguments& given) {
   return 0;
 }
 
+namespace {
+
+/// A case of a joint is repeated with that joint.
+ArmSetup standFor(const Case& read, const Arguments& given) {
+  const Joint joint = read.joint && given.joint.empty() ? *read.joint : experiments::jointNamed(given.jointOrUsual());
+  if (read.joint && joint != *read.joint)
+    throw std::runtime_error(read.name + " is a case of " + std::string{row(*read.joint).name} +
+                             "; leave --joint out, or make a case of the other joint: darwinop gap case");
+  return armSetupFor(joint, given.hangs_at_rad);
+}
+
+}  // namespace
+
 int planNext(const Arguments& given) {
   if (isBodyCase(given.folder)) return planForBody(given);
   const Case read = readCase(given.folder);
-  const ArmSetup stand = armSetupFor(experiments::jointNamed(given.jointOrUsual()), given.hangs_at_rad);
+  const ArmSetup stand = standFor(read, given);
   const ProgressCallback progress = [&](const std::string& what) {
     if (!given.json) std::cerr << "darwinop gap: " << what << '\n';
   };

@@ -1,5 +1,7 @@
 // Searches, reports, and puts effects into models.
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -21,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void deliver(const Report& report, const Arguments& given, const std::string& folder) {
+void writeAndShow(const Report& report, const Arguments& given, const std::string& folder) {
   writeReport(report, folder);
   if (report.outcome != nullptr) putBody(report.given->model, folder, twin::OtherBody::kReplace);
   showReport(given, folder, report.outcome != nullptr && !report.outcome->identification.effects.empty());
@@ -33,6 +35,12 @@ std::string startModel(const Arguments& given, const Case& read) {
 }
 
 }  // namespace
+
+int deliver(const std::function<int()>& work) try { return work(); } catch (const BadInput&) {
+  throw;
+} catch (const std::exception& error) {
+  throw NotDelivered{error.what()};
+}
 
 Case readGiven(const Arguments& given) {
   Case read = readCase(given.folder);
@@ -46,6 +54,8 @@ void printWarnings(const Case& read) {
 
 namespace {
 
+int runFolder(const Arguments& given);
+
 /// Raw logs are made into a case beside the report.
 int runRaw(Arguments given) {
   if (Ranks::count() > 1) throw std::runtime_error("mpirun needs a case; make one with darwinop gap case");
@@ -58,7 +68,7 @@ int runRaw(Arguments given) {
   given.declared.clear();
   given.held_out.clear();
   given.all_logs = false;
-  return run(given);
+  return runFolder(given);
 }
 
 /// A case.json has what these options declare of raw logs.
@@ -71,25 +81,15 @@ void refuseRawOptions(const Arguments& given) {
   if (given.all_logs) refuse("--all-logs", R"(those with "role": "fit" or "held_out" in case.json are taken)");
 }
 
-}  // namespace
-
-int run(const Arguments& given) {
-  if (!given.out.empty() && Ranks::isFirst()) requireWritable(given.out);
-  if (fs::exists(fs::path{given.folder} / "case.json"))
-    refuseRawOptions(given);
-  else if (fs::is_directory(given.folder) && !isRawFolder(given.folder))
-    throw std::runtime_error(given.folder + messages::kNeitherCaseNorLogs);
-  if (isRawFolder(given.folder)) return runRaw(given);
-  if (isBodyCase(given.folder)) return Ranks::isFirst() ? runBody(given) : 0;
-  const Case read = readGiven(given);
-  printWarnings(read);
+/// The search, and what it found as text and files.
+int searchServo(const Case& read, const Arguments& given, const std::string& folder) {
   ProgressLine progress{given.json || !Ranks::isFirst()};
   IdentifyOptions options;
   options.progress = [&](const std::string& what) { progress.show(what); };
   const Outcome outcome = investigate(read, options);
   Report report = reportOf(read, outcome, startModel(given, read));
   progress.end();
-  const std::string folder = reportFolder(given, read.name), on = shellWord(given.folder);
+  const std::string on = shellWord(given.folder);
   report.commands = {"darwinop gap run" + modelOption(given) + " " + on,
                      "darwinop gap add" + modelOption(given) + " " + on + " " + shellWord(folder + "/report.json") +
                          " --out repaired.ini",
@@ -103,8 +103,30 @@ int run(const Arguments& given) {
     std::cerr << "darwinop gap: " << given.out
               << " is the case's model with the effects; a robot's model takes its [effect ...] sections\n";
   }
-  if (!given.no_report) deliver(report, given, folder);
+  if (!given.no_report) writeAndShow(report, given, folder);
   return code;
+}
+
+int runFolder(const Arguments& given) {
+  if (!given.out.empty() && Ranks::isFirst()) requireWritable(given.out);
+  if (fs::exists(fs::path{given.folder} / "case.json"))
+    refuseRawOptions(given);
+  else if (fs::is_directory(given.folder) && !isRawFolder(given.folder))
+    throw std::runtime_error(given.folder + messages::kNeitherCaseNorLogs);
+  if (isRawFolder(given.folder)) return runRaw(given);
+  if (isBodyCase(given.folder)) return Ranks::isFirst() ? runBody(given) : 0;
+  const Case read = readGiven(given);
+  printWarnings(read);
+  const std::string folder = reportFolder(given, read.name);
+  if (!given.no_report && Ranks::isFirst()) requireReportFolder(folder);
+  return deliver([&] { return searchServo(read, given, folder); });
+}
+
+}  // namespace
+
+int run(const Arguments& given) try { return runFolder(given); } catch (const BadInput& bad) {
+  if (given.json) std::cout << jsonText(badInput(nameOfFolder(given.folder), bad.what()), 1) << '\n' << std::flush;
+  throw;
 }
 
 int compareModels(const Arguments& given) {
@@ -114,7 +136,7 @@ int compareModels(const Arguments& given) {
   report.commands = {"darwinop gap report" + (given.before.empty() ? "" : " --before " + shellWord(given.before)) +
                      " --after " + shellWord(given.after) + " " + shellWord(given.folder)};
   std::cout << (given.json ? jsonText(asJson(report), 1) + "\n" : asText(report)) << std::flush;
-  if (!given.no_report) deliver(report, given, reportFolder(given, read.name + "-compared"));
+  if (!given.no_report) writeAndShow(report, given, reportFolder(given, read.name + "-compared"));
   return 0;
 }
 

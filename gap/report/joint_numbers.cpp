@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "core/text/number_text.hpp"
+#include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
@@ -52,6 +53,18 @@ double valueFor(Relation relation, double was, double now, double old) {
       return now / was * (1 + old) - 1;
     default:
       return now - was + old;
+  }
+}
+
+/// The number `was` together with the effect.
+double together(Relation relation, double was, double effect) {
+  switch (relation) {
+    case Relation::kFactor:
+      return was * effect;
+    case Relation::kRelativeChange:
+      return was * (1 + effect);
+    default:
+      return was + effect;
   }
 }
 
@@ -101,8 +114,8 @@ class JointNumbers {
     if (!(now >= rule.low && now <= rule.high)) return;
     *value = {value->key, now, std::nan(""), std::nan("")};  // the interval was that of the effect alone
     const std::string unit{twin::findKey(number.section, number.key)->number.unit};
-    changed.because.push_back("[servo] " + number.key + " of this joint: " + withUnit(number.value, unit) +
-                              ", moved by the fit from " + withUnit(was, unit));
+    changed.because.push_back("[servo] " + number.key + messages::kTogether +
+                              withUnit(together(alias->relation, was, now), unit));
     if (effect == out_.effects.end())
       out_.effects.push_back(std::move(changed));
     else

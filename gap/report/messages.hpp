@@ -22,6 +22,9 @@ inline constexpr const char* kSmallShareInFull =
 
 // The sentence of a verdict.
 inline constexpr const char* kOnlyNoise = "The model explains these logs: what is left is noise.";
+inline constexpr const char* kAgreement = "The recordings agree with the model, and everything is tested.";
+inline constexpr const char* kNotAllTested = "What was tested agrees with the model; not everything is tested.";
+inline constexpr const char* kOpenSignals = "Signals that are not explained: ";
 inline constexpr const char* kNotIdentified = "something that these logs do not identify: ";
 inline constexpr const char* kPerhaps = ", and these logs do not decide whether also ";
 inline constexpr const char* kOutsideCatalogue = " known effects explains";
@@ -36,9 +39,16 @@ inline constexpr const char* kExplained =
     "Fitted to these logs, which it explains down to the noise; the others have the remainder: ";
 inline constexpr const char* kTried = "The best effects that were tried, not named and not in the changed model: ";
 inline constexpr const char* kUnchanged = "is within noise of what it was, ";
+inline constexpr const char* kGrowsSlightly = "grows slightly, from ";
 inline constexpr const char* kNotIdentifiable = "not identifiable from these data";
 inline constexpr const char* kHeldOutLogs = "held-out logs";
 inline constexpr const char* kOtherLogs = "other logs of the folder";
+/// What held-out logs decide: they are a validation set, not a test set.
+inline constexpr const char* kHeldOutUse =
+    "An effect that makes these logs worse is dropped: they are not independent of the choice of names, but no number "
+    "is fitted to them.";
+inline constexpr const char* kOtherUse =
+    "Logs with \"role\": \"other\" decide nothing; their errors are only reported.";
 inline constexpr const char* kNoHeldOutLog = "No log of this case is held out.";
 inline constexpr const char* kWorse = "do not use the changed model";
 inline constexpr const char* kBelowFloorFlag = "below the floor";
@@ -56,6 +66,7 @@ inline constexpr const char* kNumberGivenTwice = "this number is given twice";
 inline constexpr const char* kTypicalValue = "not known, the typical value";
 inline constexpr const char* kShiftNeedsMass =
     ": the links of a robot have no common centre of mass; a shift is written as a mass of equal moment. Give also ";
+inline constexpr const char* kTogether = " of this joint, moved by the fit, together with the effect: ";
 inline constexpr const char* kEqualMoment = ": of each link, with the moment that the load has by ";
 inline constexpr const char* kBeyondModel =
     " would be needed for the equal moment, which is more than a model may have";

@@ -59,7 +59,7 @@ std::string rivalsText(const Identification& identification) {
   std::string chance;
   if (std::isfinite(identification.threshold))
     chance = "A gain of " + html::number(identification.threshold, text::fixedText(identification.threshold, 0)) +
-             " comes by chance once in a hundred cases. ";
+             " is exceeded by chance in " + chanceShare(identification) + " of cases. ";
   return "<h3>Rivals</h3>" + wrap("ul", items) +
          wrap("p", chance + "Rivals less than " + text::fixedText(thresholds::kRivalEvidence, 0) +
                        " behind are not excluded by the data; less than " +

@@ -101,6 +101,7 @@ std::string headlineSection(const Report& report) {
   inside += element("p", "Position error of the closed loop, root of the mean square, on the " +
                              std::to_string(all.held_out_logs) + (all.held_out_logs == 1 ? " log" : " logs") +
                              " that no fit has used (held out). Noise alone is what a right model would show.");
+  if (report.outcome != nullptr) inside += element("p", std::string{messages::kHeldOutUse} + " " + messages::kOtherUse);
   if (all.anyBelowFloor(*report.given, true)) inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
   return section("headline", "Before and after", inside);
 }

@@ -60,6 +60,7 @@ Additions additionsIn(std::string_view results, const std::string& file, const C
     checkVerdict(result, given.name);
     Additions additions;
     for (const json& effect : result.at("effects")) additions.effects.push_back(effectIn(effect, result));
+    for (const json& moved : result.value("moved", json::array())) additions.effects.push_back(effectIn(moved, result));
     for (const json& number : result.value("numbers", json::array()))
       additions.numbers.push_back({number.at("number"), number.at("after")});
     return atJoint(std::move(additions), given);

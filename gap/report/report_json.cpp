@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gap/report/data_hash.hpp"
+#include "gap/report/joint_numbers.hpp"
 #include "gap/report/line_diff.hpp"
 #include "gap/report/report.hpp"
 #include "gap/report/sentences.hpp"
@@ -50,7 +51,8 @@ json diffAsJson(const Report& report) {
 json searchAsJson(const Report& report) {
   json all = asJson(*report.given, *report.outcome);
   all.erase("runtime_s");
-  const Additions additions = additionsOf(*report.given, *report.outcome, report.data_hash);
+  const Additions additions =
+      withJointNumbers(additionsOf(*report.given, *report.outcome, report.data_hash), report.given->model);
   for (json& effect : all["effects"])
     for (const AddedEffect& added : additions.effects)
       if (effect["id"] == added.id) effect["because"] = added.because;

@@ -19,7 +19,8 @@ std::vector<std::string> reasonsFor(const Case& given, const Identification& ide
   std::vector<std::string> lines{"Found by darwinop gap in the logs of case " + given.name +
                                  ": without it the fit is worse by " + text::fixedText(found.gain, 0)};
   if (std::isfinite(identification.threshold))
-    lines.front() += "; " + text::fixedText(identification.threshold, 0) + " is exceeded by chance in 1 of 100 cases";
+    lines.front() += "; " + text::fixedText(identification.threshold, 0) + " is exceeded by chance in " +
+                     chanceShare(identification) + " of cases";
   if (identification.verdict == Verdict::kUnknown)
     lines.emplace_back("It improves the fit and leaves a gap that no effect of the catalogue explains");
   if (identification.remains)

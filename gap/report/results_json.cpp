@@ -1,9 +1,11 @@
 // results.json: one object a case.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gap/case/contradictions.hpp"
 #include "gap/identify/assessment.hpp"
+#include "gap/report/joint_numbers.hpp"
 #include "gap/report/results.hpp"
 #include "gap/report/sentences.hpp"
 
@@ -27,16 +29,39 @@ json blockOrNull(const Outcome& outcome) {
   return name(blockOf(identification.effects.front().effect->part));
 }
 
-json parametersOf(const Additions& additions, const IdentifiedEffect& found) {
+/// What was found, and the same as the model file has it: numbers of a joint's servo are in effects of that joint.
+struct Written {
+  Additions found, in_model;
+};
+
+/// A number of the servo is in the value that the model file has, so that the interval is not of this value.
+void dropMergedIntervals(const AddedEffect& found, const AddedEffect& in_model, json& intervals) {
+  for (const AddedValue& value : in_model.values) {
+    const auto was = std::ranges::find(found.values, value.key, &AddedValue::key);
+    if (was != found.values.end() && was->value != value.value && intervals.contains(value.key))
+      intervals[value.key] = {nullptr, nullptr};
+  }
+}
+
+json valuesOf(const AddedEffect& added) {
+  json values = json::object();
+  for (const AddedValue& value : added.values) values[value.key] = value.value;
+  return values;
+}
+
+json parametersOf(const Written& written, const IdentifiedEffect& found) {
   json parameters = json::object(), intervals = json::object(), in_model = json::object();
   for (const Estimate& estimate : found.estimates) {
     const std::string key = estimate.name.substr(estimate.name.find('.') + 1);
     parameters[key] = estimate.value;
     intervals[key] = {estimate.low, estimate.high};
   }
-  for (const AddedEffect& added : additions.effects)
-    if (added.id == found.effect->id)
-      for (const AddedValue& value : added.values) in_model[value.key] = value.value;
+  const auto was = std::ranges::find(written.found.effects, found.effect->id, &AddedEffect::id);
+  const auto now = std::ranges::find(written.in_model.effects, found.effect->id, &AddedEffect::id);
+  if (was != written.found.effects.end() && now != written.in_model.effects.end()) {
+    in_model = valuesOf(*now);
+    dropMergedIntervals(*was, *now, intervals);
+  }
   return {{"id", found.effect->id},
           {"params", parameters},
           {"interval_90", intervals},
@@ -49,6 +74,15 @@ json numbersOf(const Additions& additions) {
   for (const AddedNumber& number : additions.numbers)
     numbers.push_back({{"number", number.key}, {"after", number.value}});
   return numbers;
+}
+
+/// Effects that only stand for numbers that the fit moved.
+json movedOf(const Written& written) {
+  json moved = json::array();
+  for (const AddedEffect& added : written.in_model.effects)
+    if (std::ranges::find(written.found.effects, added.id, &AddedEffect::id) == written.found.effects.end())
+      moved.push_back({{"id", added.id}, {"in_model", valuesOf(added)}, {"because", added.because}});
+  return moved;
 }
 
 /// What the fit moved of the bench, which no model file holds.
@@ -87,12 +121,13 @@ json maskedOf(const Case& given) {
 
 json asJson(const Case& given, const Outcome& outcome) {
   const Identification& identification = outcome.identification;
-  const Additions additions = additionsOf(given, outcome, "");
+  const Additions found_alone = additionsOf(given, outcome, "");
+  const Written written{found_alone, withJointNumbers(found_alone, given.model)};
   json effects = json::array(), candidates = json::array(), ambiguity = json::array();
   // In `unknown` the effects only improve the fit.
   json& listed = identification.verdict == Verdict::kUnknown ? candidates : effects;
-  for (const IdentifiedEffect& found : identification.effects) listed.push_back(parametersOf(additions, found));
-  for (const IdentifiedEffect& tried : identification.withdrawn) candidates.push_back(parametersOf(additions, tried));
+  for (const IdentifiedEffect& found : identification.effects) listed.push_back(parametersOf(written, found));
+  for (const IdentifiedEffect& tried : identification.withdrawn) candidates.push_back(parametersOf(written, tried));
   if (identification.verdict == Verdict::kAmbiguous) {
     json set = json::array();
     for (const twin::EffectInfo* const effect : undecidedEffects(identification))
@@ -118,7 +153,8 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"explained_logs", identification.explained},
           {"rejected", rejected},
           {"prior_conflicts", conflicts},
-          {"numbers", numbersOf(additions)},
+          {"numbers", numbersOf(written.in_model)},
+          {"moved", movedOf(written)},
           {"bench", benchOf(given, identification)},
           {"misfit_sigma", identification.misfit},
           {"threshold", std::isfinite(identification.threshold) ? json(identification.threshold) : json(nullptr)},

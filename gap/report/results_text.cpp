@@ -154,7 +154,8 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
     text += "repeats differ by " + inMrad(repeats_rad) + " mrad; ";
   std::string chance;
   if (std::isfinite(identification.threshold))
-    chance = "chance gain " + std::to_string(std::lround(identification.threshold)) + " (1 %); ";
+    chance = "chance gain " + std::to_string(std::lround(identification.threshold)) + " (" +
+             chanceShare(identification) + "); ";
   return text + line("%smisfit %.1f sigma (a gap: %.0f); %.0f s", chance.c_str(), identification.misfit,
                      thresholds::kMisfitSigmas, outcome.runtime_s);
 }

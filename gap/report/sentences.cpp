@@ -193,6 +193,13 @@ std::string triedSentence(const Identification& identification) {
   return values.empty() ? "" : messages::kTried + text::joined(values, ", ") + ".";
 }
 
+std::string chanceShare(const Identification& identification) {
+  if (identification.misfit < thresholds::kMisfitSigmas)
+    return text::generalText(100 * IdentifyOptions{}.alpha, 2) + " %";
+  // The threshold may be the greatest gain of the few replicas of a model that is plainly wrong.
+  return "at most " + text::fixedText(std::ceil(200.0 / (thresholds::kFewBootstrapRuns + 1)) / 2, 1) + " %";
+}
+
 std::string helpSentence(const Comparison& comparison) {
   const Gap& gap = comparison.held_out;
   if (comparison.held_out_logs == 0)
@@ -204,6 +211,8 @@ std::string helpSentence(const Comparison& comparison) {
   if (std::abs(change) < thresholds::kUnchangedGapShare) return on + "is " + after + "; " + noise;
   if (isWorse(gap.before_rad, gap.after_rad, gap.floor_rad))
     return on + "grows from " + before + " to " + after + ": " + std::string{messages::kWorse} + "; " + noise;
+  if (change > 0 && !(gap.after_rad - gap.before_rad < gap.floor_rad))
+    return on + messages::kGrowsSlightly + before + " to " + after + "; " + noise;
   if (change > 0) return on + messages::kUnchanged + after + " after " + before + "; " + noise;
   return on + "falls from " + before + " to " + after + "; " + noise;
 }

@@ -22,6 +22,10 @@ std::string intervalSentence(const Identification& identification);
 /// The effects that were tried and withdrawn, with their values; empty: none.
 std::string triedSentence(const Identification& identification);
 
+/// Share of cases in which chance exceeds the threshold: "1 %", or "at most 2.5 %" where noise alone does not explain
+/// what is left.
+std::string chanceShare(const Identification& identification);
+
 /// Rivals that the data do not exclude.
 std::vector<Rival> closeRivals(const Identification& identification);
 /// Of `ambiguous`: the effects in which the close rivals differ from what was found, that of the model first.

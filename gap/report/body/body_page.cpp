@@ -7,6 +7,7 @@
 #include "core/text/joined.hpp"
 #include "gap/report/body/body_report.hpp"
 #include "gap/report/html.hpp"
+#include "gap/report/messages.hpp"
 #include "gap/report/page_parts.hpp"
 #include "gap/report/page_sections.hpp"
 
@@ -26,16 +27,32 @@ std::string section(std::string_view id, std::string_view title, const std::stri
   return wrap("section", wrap("h2", html::text(title)) + inside, " id=\"" + std::string{id} + "\"") + "\n";
 }
 
-std::string sentenceOf(Verdict verdict) {
-  switch (verdict) {
+/// Signals that no named effect explains, with the blocks of the loop that they are of.
+std::string openSignals(const BodyReport& report) {
+  const Json& remainder = report.answer["remainder"];
+  std::vector<std::string> left, texts;
+  if (!remainder.is_null()) left = remainder["signals"].get<std::vector<std::string>>();
+  for (const Json& row : report.answer["where"]) {
+    const auto signal = row["signal"].get<std::string>();
+    if (report.found->verdict == Verdict::kUnknown || std::ranges::find(left, signal) != left.end())
+      texts.push_back(signal + " (" + row["block"].get<std::string>() + ")");
+  }
+  return text::joined(texts, ", ");
+}
+
+std::string sentenceOf(const BodyReport& report) {
+  const std::string end = report.answer["remainder"].is_null() ? "." : messages::kRemainder;
+  switch (report.found->verdict) {
     case Verdict::kNamed:
-      return "These effects are missing from the model.";
+      return "These effects are missing from the model" + end;
     case Verdict::kAmbiguous:
-      return "Something is missing from the model; these recordings do not decide between some names.";
+      return "Something is missing from the model, and these recordings do not decide between some names" + end;
     case Verdict::kUnknown:
       return "Signals diverge, and no effect of the catalogue explains them. The table below has the places.";
+    case Verdict::kNone:
+      return messages::kAgreement;
     default:
-      return "What was tested agrees with the model; not everything is tested.";
+      return messages::kNotAllTested;
   }
 }
 
@@ -65,6 +82,23 @@ std::string intervalText(const Json& effect, const std::string& key) {
   return out;
 }
 
+/// "link_com at Body: shift 0 0.02 0"
+std::string candidateText(const Json& effect) {
+  std::string text = effect["id"].get<std::string>() + " at " + placeText(effect["at"]), numbers;
+  for (const auto& [key, value] : effect["params"].items())
+    numbers += (numbers.empty() ? ": " : ", ") + key + " " + valuesText(value);
+  return text + numbers;
+}
+
+/// What is left, and what was tried on it.
+std::string remainderText(const BodyReport& report) {
+  std::vector<std::string> candidates;
+  for (const Json& effect : report.answer["candidates"]) candidates.push_back(candidateText(effect));
+  const std::string left = openSignals(report);
+  return (left.empty() ? "" : element("p", messages::kOpenSignals + left + ".")) +
+         (candidates.empty() ? "" : element("p", messages::kTried + text::joined(candidates, "; ") + "."));
+}
+
 std::string namesSection(const BodyReport& report) {
   std::string rows;
   for (const Json& effect : report.answer["effects"]) {
@@ -78,7 +112,8 @@ std::string namesSection(const BodyReport& report) {
                            element("td", numbers) + element("td", intervals)) +
             "\n";
   }
-  if (rows.empty()) return "";
+  const std::string left = remainderText(report);
+  if (rows.empty()) return left.empty() ? "" : section("what", "What is not explained", left);
   std::string inside =
       wrap("table", "<tr><th>effect</th><th>place</th><th>numbers, SI units</th><th>90 %</th></tr>\n" + rows);
   for (const Json& group : report.answer["ambiguity"]) {
@@ -88,7 +123,7 @@ std::string namesSection(const BodyReport& report) {
     inside += element("p", "Not separated by these recordings: " + names);
   }
   for (const std::string& sentence : report.left_out) inside += element("p", "Not in the changed model: " + sentence);
-  return section("what", "What is missing", inside);
+  return section("what", "What is missing", inside + left);
 }
 
 /// The groups of signals on recordings that no fit has seen.
@@ -110,10 +145,7 @@ std::string heldOutSection(const BodyReport& report) {
   }
   const std::string table =
       wrap("table", "<tr><th>rms, held out</th><th>before</th><th>after</th><th>noise</th></tr>\n" + rows);
-  return section("held-out", "Before and after, on held-out recordings",
-                 table + element("p",
-                                 "An effect that makes these recordings worse is dropped: they are not independent "
-                                 "of the choice of names, but no number is fitted to them."));
+  return section("held-out", "Before and after, on held-out recordings", table + element("p", messages::kHeldOutUse));
 }
 
 std::string cellOf(const BodyRow* row) {
@@ -126,6 +158,21 @@ const BodyRow* rowOf(const std::vector<BodyRow>& rows, std::string_view place, B
   const auto found =
       std::ranges::find_if(rows, [&](const BodyRow& row) { return row.place.name == place && row.block == block; });
   return found == rows.end() ? nullptr : &*found;
+}
+
+/// A line for each signal on the floor, which includes the trunk; empty: no such recording.
+std::string floorTable(const BodyIdentification& found) {
+  std::string rows;
+  for (const BodyRow& row : found.table.rows) {
+    if (row.place.kind != Place::Kind::kContact) continue;
+    const auto after = std::ranges::find(found.floor.rows_after, row.signal, &BodyRow::signal);
+    rows += wrap("tr", element("th", row.signal) + cellOf(&row) +
+                           cellOf(after == found.floor.rows_after.end() ? nullptr : &*after)) +
+            "\n";
+  }
+  if (rows.empty()) return "";
+  return wrap("table", "<tr><th>signal, on the floor</th><th>before</th><th>with the effects</th></tr>\n" + rows,
+              " class=\"robot\"");
 }
 
 /// A line for each joint, coloured: red diverges, green agrees.
@@ -149,7 +196,8 @@ std::string robotSection(const BodyReport& report) {
                                    "robots that are like their model.",
                                    found.table.open_from)) +
       wrap("table", head + rows, " class=\"robot\"") +
-      wrap("table", "<tr><th>sensor, at rest</th><th>mean</th></tr>\n" + sensors, " class=\"robot\"");
+      wrap("table", "<tr><th>sensor, at rest</th><th>mean</th></tr>\n" + sensors, " class=\"robot\"") +
+      floorTable(found);
   std::string untested;
   for (const std::string& sentence : found.table.not_tested) untested += element("li", sentence) + "\n";
   if (!untested.empty()) inside += element("p", "Not tested:") + wrap("ul", untested);
@@ -162,7 +210,7 @@ std::string asHtml(const BodyReport& report) {
   const std::string verdict{nameOf(report.found->verdict)};
   std::string body = wrap("header", element("p", "darwinop gap, whole robot, case " + report.given->name) +
                                         wrap("h1", html::text(verdict), " class=\"" + verdict + "\"") +
-                                        wrap("p", html::text(sentenceOf(report.found->verdict)), " id=\"verdict\""));
+                                        wrap("p", html::text(sentenceOf(report)), " id=\"verdict\""));
   body += "\n" + namesSection(report) + heldOutSection(report) + robotSection(report) +
           modelSection(report.model_before, report.model_after);
   if (!report.commands.empty())

@@ -4,6 +4,7 @@
 #include "gap/report/body/body_additions.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report_folder.hpp"
+#include "gap/report/results.hpp"
 
 namespace darwinop::gap {
 
@@ -11,7 +12,8 @@ BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, cons
   BodyReport report;
   report.given = &given;
   report.found = &found;
-  report.answer = asJson(given, found);
+  report.answer["format"] = kResultsFormat;
+  report.answer.update(asJson(given, found));
   report.answer[kModelHash] = sha256(model);
   report.model_before = report.model_after = model;
   if (report.answer["effects"].empty()) return report;
@@ -22,9 +24,15 @@ BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, cons
   return report;
 }
 
+nlohmann::ordered_json asJson(const BodyReport& report) {
+  nlohmann::ordered_json all = report.answer;
+  all.erase("runtime_s");
+  return all;
+}
+
 void writeReport(const BodyReport& report, const std::string& folder) {
   writeReportFolder(folder, {{"report.html", asHtml(report)},
-                             {"report.json", jsonText(report.answer, 1) + "\n"},
+                             {"report.json", jsonText(asJson(report), 1) + "\n"},
                              {"repaired.ini", report.model_after}});
 }
 

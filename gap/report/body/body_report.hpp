@@ -21,6 +21,9 @@ struct BodyReport {  // NOLINT(bugprone-exception-escape): no constructor of the
 /// Both have to outlive it. `model`: the file that the case's model is from, whose comments stay.
 BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, const std::string& model);
 
+/// As report.json has it: the same for the same recordings, so without the time of the search.
+nlohmann::ordered_json asJson(const BodyReport& report);
+
 /// One file that needs no other and no network.
 std::string asHtml(const BodyReport& report);
 

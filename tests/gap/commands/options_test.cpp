@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "gap/case/messages.hpp"
 #include "gap/case/raw_folder.hpp"
+#include "gap/case/write_case.hpp"
+#include "gap/small_case.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "twin/model/messages.hpp"
@@ -84,6 +87,34 @@ TEST(GapOptions, AModelThatIsWrittenHasItsBody) {
   std::ofstream{folder / "other/own.xml"} << "<other/>";
   EXPECT_THAT(shell(kGap + add + " --out " + (folder / "other/repaired.ini")).said,
               testing::HasSubstr(twin::messages::kNotTheBody));
+}
+
+TEST(GapOptions, BadInputIsAnObjectForPrograms) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "bad");
+  std::ofstream{folder / "bad/case.json"} << "{}";
+  const Outcome bad = shell("(" + kGap + " run " + (folder / "bad") + " --json --no-report 2>/dev/null)");
+  EXPECT_EQ(bad.status, 2);
+  const auto json = nlohmann::json::parse(bad.said);
+  EXPECT_EQ(json["case"], "bad");
+  EXPECT_EQ(json["verdict"], "bad_input");
+  EXPECT_THAT(json["why"].get<std::string>(), testing::HasSubstr("case.json"));
+}
+
+TEST(GapOptions, AReportThatCannotBeWrittenIsNotBadInput) {
+  const TemporaryFolder folder;
+  Case bench = smallBench();
+  bench.model.name = "bench";
+  writeCase(measured(bench, baselineOf(bench), 7), folder / "case");
+  const std::string run = kGap + " run " + (folder / "case") + " --no-open --report ";
+  std::ofstream{folder / "file"} << "x";
+  const Outcome refused = shell(run + (folder / "file/report"));
+  EXPECT_EQ(refused.status, 2) << "before the search";
+  EXPECT_THAT(refused.said, testing::HasSubstr((folder / "file") + " is"));
+  std::filesystem::create_directories(folder / "report/report.html");  // in place of the page
+  const Outcome failed = shell(run + (folder / "report"));
+  EXPECT_EQ(failed.status, 1);
+  EXPECT_THAT(failed.said, testing::HasSubstr("report/report.html"));
 }
 
 // They are refused before the case is read as a whole.

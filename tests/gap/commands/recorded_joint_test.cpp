@@ -59,6 +59,9 @@ TEST_F(RecordedJoint, OfAnUnchangedTwinLacksNothing) {
     EXPECT_TRUE(log.is_phase_known) << log.file;
     EXPECT_FALSE(std::isnan(log.load[log.rows() / 2])) << log.file;
   }
+  const Outcome refused = shell(std::string{DARWINOP_BIN} + "/darwinop-gap plan " + case_ + " --joint ArmLowerR");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, testing::HasSubstr("is a case of ShoulderR"));
 }
 
 // 4 ms are far less than a row, and back EMF looks alike in the position.

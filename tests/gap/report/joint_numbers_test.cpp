@@ -1,7 +1,9 @@
 // Numbers of one joint's servo in the model of a robot.
 #include <gmock/gmock.h>
 
-#include "gap/report/addition.hpp"
+#include <nlohmann/json.hpp>
+
+#include "gap/report/report_rig.hpp"
 #include "twin/servo/servo.hpp"
 
 namespace darwinop::gap {
@@ -59,7 +61,7 @@ TEST(JointNumbers, ChangeTheServoOfThatJointAndNoOther) {
   EXPECT_THAT(
       changesBy(additions, robot()),
       ElementsAre("kt_error at ShoulderR added", "resistance_error at ShoulderR added", "inertia at ShoulderR added"));
-  EXPECT_THAT(withAdditions(kOneRobot, additions), HasSubstr("; [servo] resistance of this joint: 7.52 ohm"));
+  EXPECT_THAT(withAdditions(kOneRobot, additions), HasSubstr(messages::kTogether + std::string{"7.896 ohm"}));
 }
 
 TEST(JointNumbers, BesideAnEffectThatWasFoundAreInIt) {
@@ -70,6 +72,45 @@ TEST(JointNumbers, BesideAnEffectThatWasFoundAreInIt) {
   const auto there = std::ranges::find(effects, "resistance_error", [](const auto& one) { return one.info->id; });
   ASSERT_NE(there, effects.end());
   EXPECT_NEAR(there->values[0], 0.94 * 1.1 - 1, 1e-6);
+}
+
+/// Of a case of the shoulder: `resistance_error`, and numbers of the servo that the fit has moved.
+Outcome resistanceError(const Case& given) {
+  Outcome outcome;
+  outcome.baseline = baselineOf(given);
+  Identification& found = outcome.identification;
+  found.verdict = Verdict::kNamed;
+  found.model = outcome.baseline;
+  found.model.with(*twin::findEffect("resistance_error")).values = {0.1};
+  found.model.servo.resistance_ohm *= 0.94;
+  found.model.servo.kt_nm_a *= 1.03, found.model.servo.back_emf_vs_rad *= 1.03;
+  found.effects = {{twin::findEffect("resistance_error"), {{"resistance_error.change", "", 0.1, 0.08, 0.12}}, 50}};
+  return outcome;
+}
+
+double resistanceErrorAt(const twin::Model& model, Joint joint) {
+  for (const twin::EffectSetting& effect : servoEffects(model, joint))
+    if (effect.info->id == "resistance_error") return effect.values.front();
+  return std::nan("");
+}
+
+TEST(JointNumbers, OfTheJsonAreThoseOfTheModelFile) {
+  Case given = twoLogs();
+  given.model = robot();
+  given.joint = kShoulder;
+  const Outcome outcome = resistanceError(given);
+  const nlohmann::json answer = asJson(given, outcome), effect = answer["effects"][0];
+  const std::string model = caseModel(given);
+  const twin::Model repaired = twin::parseModel(withAdditions(model, additionsOf(given, outcome, "")), "m");
+  EXPECT_NEAR(effect["in_model"]["change"].get<double>(), 0.94 * 1.1 - 1, 1e-3);
+  EXPECT_EQ(effect["in_model"]["change"], resistanceErrorAt(repaired, kShoulder));
+  EXPECT_EQ(effect["params"]["change"], 0.1);
+  EXPECT_TRUE(effect["interval_90"]["change"][0].is_null()) << "it was that of the effect alone";
+  EXPECT_TRUE(answer["numbers"].empty()) << answer["numbers"];
+  ASSERT_EQ(answer["moved"].size(), 1U);
+  EXPECT_EQ(answer["moved"][0]["id"], "kt_error");
+  const Additions again = additionsIn(answer.dump(), "results.json", given);
+  EXPECT_EQ(twin::writeModel(twin::parseModel(withAdditions(model, again), "m")), twin::writeModel(repaired));
 }
 
 TEST(JointNumbers, ThatNoEffectHasStayThoseOfAllJoints) {

@@ -172,6 +172,14 @@ TEST(GapPage, HasNoHeadlineWithoutHeldOutLogs) {
   EXPECT_TRUE(asJson(rig.report)["held_out"]["after_mrad"].is_null()) << "not known is not 0";
 }
 
+TEST(GapPage, SaysWhatHeldOutLogsDecide) {
+  ReportRig rig;
+  for (const char* const sentence : {messages::kHeldOutUse, messages::kOtherUse})
+    EXPECT_THAT(partOf(asHtml(rig.report), "id=\"headline\"", "</section>"), HasSubstr(html::text(sentence)));
+  rig.report.outcome = nullptr;
+  EXPECT_THAT(asHtml(rig.report), Not(HasSubstr(messages::kHeldOutUse))) << "no name was chosen";
+}
+
 TEST(GapPage, ShowsTheModelsChangesAndHowToMakeItAgain) {
   const ReportRig rig;
   const std::string page = asHtml(rig.report);

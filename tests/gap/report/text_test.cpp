@@ -185,6 +185,30 @@ TEST(Summary, WarnsOfAModelThatGotWorseAndOfOneThatIsTooGood) {
   EXPECT_THAT(asText(rig.report), HasSubstr(std::string{messages::kBelowFloorFlag} + "!"));
 }
 
+TEST(Summary, CallsOnlyGrowthWithinNoiseUnchanged) {
+  ReportRig rig;
+  rig.report.comparison.held_out = gapOfMrad(100, 104, 1);
+  EXPECT_THAT(helpSentence(rig.report.comparison),
+              AllOf(HasSubstr(std::string{messages::kGrowsSlightly} + "100 mrad to 104 mrad"),
+                    Not(HasSubstr(messages::kUnchanged)), Not(HasSubstr(messages::kWorse))));
+  rig.report.comparison.held_out = gapOfMrad(100, 104, 5);
+  EXPECT_THAT(helpSentence(rig.report.comparison),
+              AllOf(HasSubstr(messages::kUnchanged), Not(HasSubstr(messages::kGrowsSlightly))));
+}
+
+TEST(Summary, HasTheShareOfChanceThatIsTrue) {
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  EXPECT_EQ(chanceShare(identification), "1 %");
+  EXPECT_THAT(asText(rig.report), HasSubstr("(1 %)"));
+  identification.misfit = 2 * thresholds::kMisfitSigmas;  // the greatest gain of 40 replicas: chance 1 in 41
+  const std::string share = chanceShare(identification);
+  EXPECT_EQ(share, "at most 2.5 %");
+  EXPECT_THAT(asText(rig.report), HasSubstr("(" + share + ")"));
+  EXPECT_THAT(asHtml(rig.report), HasSubstr(" " + share + " "));
+  EXPECT_THAT(additionsOf(rig.given, rig.outcome, "").effects.front().because.front(), HasSubstr(" " + share + " "));
+}
+
 TEST(Summary, HasASentenceForEachVerdict) {
   ReportRig rig;
   const std::pair<Verdict, std::string> sentences[] = {
