@@ -50,7 +50,7 @@ TEST(BodyFloorExamples, EffectsOfTheFloorAreNamedWithTheirNumbers) {
     std::vector<double> values;
     double within;
   };
-  // The centre of mass of x05 is found 1.6 mm too low (docs/gap/body.md).
+  // The centre of mass of x05 is found 1.4 mm off (docs/gap/body.md).
   for (const Expected& one :
        {Expected{"x05", "link_com", {0, 0, -0.018}, 0.002}, Expected{"x06", "floor_friction", {0.25}, 0.05},
         Expected{"x07", "floor_tilt", {0.04, 0}, 0.008}}) {
