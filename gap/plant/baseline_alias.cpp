@@ -15,22 +15,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Factor by which `hypothesis` changes the number of the alias. Nothing: the baseline does not have it.
 std::optional<double> changeOf(const twin::BaselineAlias& alias, const twin::EffectInfo& effect,
                                const Hypothesis& baseline, const Hypothesis& hypothesis) {
-  using Relation = twin::BaselineAlias::Relation;
   const double value = hypothesis.find(effect.id)->values[alias.parameter];
-  if (alias.relation == Relation::kOwnValue) {
+  if (alias.relation == twin::BaselineAlias::Relation::kOwnValue) {
     const twin::EffectSetting* const before = baseline.find(effect.id);
     if (before == nullptr) return std::nullopt;
     return value / before->values[alias.parameter];
   }
   const double was = numberIn(baseline, alias.number), is = numberIn(hypothesis, alias.number);
-  switch (alias.relation) {
-    case Relation::kFactor:
-      return value * is / was;
-    case Relation::kRelativeChange:
-      return (1 + value) * is / was;
-    default:
-      return (is + value) / was;
-  }
+  return alias.together(is, value) / was;
 }
 
 }  // namespace

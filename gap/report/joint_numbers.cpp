@@ -16,8 +16,6 @@
 namespace darwinop::gap {
 namespace {
 
-using Relation = twin::BaselineAlias::Relation;
-
 constexpr double kSameRatio = 1e-4;  // of numbers with six digits
 
 struct ServoAlias {
@@ -28,7 +26,8 @@ struct ServoAlias {
 std::optional<ServoAlias> aliasFor(const std::string& number) {
   for (const twin::EffectInfo* const info : twin::catalogue())
     for (const twin::BaselineAlias& alias : info->aliases)
-      if (alias.number == number && alias.relation != Relation::kOwnValue) return ServoAlias{info, &alias};
+      if (alias.number == number && alias.relation != twin::BaselineAlias::Relation::kOwnValue)
+        return ServoAlias{info, &alias};
   return std::nullopt;
 }
 
@@ -42,30 +41,6 @@ double before(const AddedNumber& number, twin::Model model) {
   const twin::Slot slot = row == nullptr ? twin::Slot{} : row->in(model);
   const double* const* const value = std::get_if<double*>(&slot);
   return value == nullptr || *value == nullptr ? std::numeric_limits<double>::quiet_NaN() : **value;
-}
-
-/// The effect's parameter with which `was` acts as `now` does, where the effect was `old` until now.
-double valueFor(Relation relation, double was, double now, double old) {
-  switch (relation) {
-    case Relation::kFactor:
-      return now / was * old;
-    case Relation::kRelativeChange:
-      return now / was * (1 + old) - 1;
-    default:
-      return now - was + old;
-  }
-}
-
-/// The number `was` together with the effect.
-double together(Relation relation, double was, double effect) {
-  switch (relation) {
-    case Relation::kFactor:
-      return was * effect;
-    case Relation::kRelativeChange:
-      return was * (1 + effect);
-    default:
-      return was + effect;
-  }
 }
 
 /// All values of the effect at a joint of `model`; neutral where it has none.
@@ -108,14 +83,14 @@ class JointNumbers {
     const twin::Parameter& parameter = info->parameters[alias->parameter];
     const auto value = std::ranges::find(changed.values, parameter.key, &AddedValue::key);
     if (value == changed.values.end()) return;
-    const double exact = valueFor(alias->relation, was, number.value, value->value);
+    const double exact = alias->valueBetween(was, alias->together(number.value, value->value));
     const double now = std::strtod(text::generalText(exact, 6).c_str(), nullptr);  // more than a fit determines
     const twin::NumberRule rule = twin::ruleOf(parameter);
     if (!(now >= rule.low && now <= rule.high)) return;
     *value = {value->key, now, std::nan(""), std::nan("")};  // the interval was that of the effect alone
     const std::string unit{twin::findKey(number.section, number.key)->number.unit};
     changed.because.push_back("[servo] " + number.key + messages::kTogether +
-                              withUnit(together(alias->relation, was, now), unit));
+                              withUnit(alias->together(was, now), unit));
     if (effect == out_.effects.end())
       out_.effects.push_back(std::move(changed));
     else

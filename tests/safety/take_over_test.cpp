@@ -47,22 +47,25 @@ TEST(TakeOver, GoalIsThePresentPositionAndTorqueComesWhenTheServosAreSeenToHaveI
 
 /// Ctrl-C, or a controller that fails at its start.
 TEST(TakeOver, ALimpRobotStaysLimpIfTheSessionEndsBeforeTorqueIsOn) {
-  for (const OnExit how : {OnExit::kHold, OnExit::kKneel, OnExit::kLimp}) {
-    Config config;
-    config.on_exit = how;
-    Rig rig{config};
-    rig.robot.goal_write_switches_on = true;
-    rig.run(60);
-    rig.newSession();
-    rig.cycle();
-    ASSERT_EQ(rig.state(), State::kTakingOver);
-    rig.commands.end_of_session = true;
-    for (int i = 0; i < 1000; ++i) {
+  for (const OnExit how : {OnExit::kHold, OnExit::kKneel, OnExit::kLimp})
+    for (const bool has_neck : {true, false}) {
+      Config config;
+      config.on_exit = how;
+      config.absent.set(index(Joint::kNeck), !has_neck);
+      Rig rig{config};
+      rig.robot[Joint::kNeck].answers = has_neck;
+      rig.robot.goal_write_switches_on = true;
+      rig.run(60);
+      rig.newSession();
       rig.cycle();
-      for (const FakeServo& servo : rig.robot.servo) ASSERT_FALSE(servo.torque) << i;
+      ASSERT_EQ(rig.state(), State::kTakingOver);
+      rig.commands.end_of_session = true;
+      for (int i = 0; i < 1000; ++i) {
+        rig.cycle();
+        for (const FakeServo& servo : rig.robot.servo) ASSERT_FALSE(servo.torque) << i;
+      }
+      EXPECT_EQ(rig.state(), State::kLimp);
     }
-    EXPECT_EQ(rig.state(), State::kLimp);
-  }
 }
 
 TEST(TakeOver, AStandingRobotSitsDownIfTheSessionEndsAtOnce) {

@@ -85,6 +85,19 @@ struct BaselineAlias {
   std::size_t parameter = 0;       // index; of kOwnValue: 0
   std::string_view case_key = {};  // of kOwnValue: its name in baseline.params of a case.json
   std::string_view with = {};      // another number of the baseline, which the effect scales alike
+
+  /// `base` is the number without the effect, the result that with it. Not of kOwnValue.
+  [[nodiscard]] constexpr double together(double base, double value) const {
+    if (relation == Relation::kFactor) return base * value;
+    if (relation == Relation::kRelativeChange) return base * (1 + value);
+    return base + value;
+  }
+  /// The effect's value with which `base` becomes `wanted`. Not of kOwnValue.
+  [[nodiscard]] constexpr double valueBetween(double base, double wanted) const {
+    if (relation == Relation::kFactor) return wanted / base;
+    if (relation == Relation::kRelativeChange) return wanted / base - 1;
+    return wanted - base;
+  }
 };
 
 /// A parameter that a synthetic case draws at random.

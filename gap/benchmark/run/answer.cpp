@@ -22,8 +22,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLongestWhy = 70;  // columns
-constexpr std::size_t kLongestFile = std::size_t{1} << 30;
+constexpr std::size_t kLongestWhy = 70;                     // columns
+constexpr std::size_t kLongestFile = std::size_t{1} << 30;  // bytes
 
 json failed(const std::string& name, const std::string& why) {
   json answer = badInput(name, why);
