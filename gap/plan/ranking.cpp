@@ -52,7 +52,7 @@ double nearestOnes(const Question& question, const std::vector<Separation>& sepa
     double nearest = std::numeric_limits<double>::infinity();
     for (const Separation& one : separations)
       if (one.a == right || one.b == right) nearest = std::min(nearest, one.sigma);
-    sum += nearest * nearest / 2;
+    sum += std::pow(std::min(nearest, thresholds::kSurelySeparated), 2) / 2;
   }
   return sum / static_cast<double>(question.hypotheses.size());
 }

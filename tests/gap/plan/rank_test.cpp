@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/plan/plan_rig.hpp"
+#include "gap/plan/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -48,6 +49,16 @@ TEST(Ranking, ASwingWithoutTorqueDistinguishesAWrongMotorFromViscousFriction) {
                                          {"hold_once", "constant_speed", "swing_three_heights"});
   EXPECT_EQ(namesOf(next).at(0), "swing_three_heights");
   EXPECT_EQ(namesOf(next).at(2), "hold_once");
+}
+
+// 19 and 700 sigma in 14 and 35 s.
+TEST(Ranking, TheShorterOfTwoThatSurelySeparateIsFirst) {
+  const Case bench = smallBench();
+  const NextExperiments next =
+      rankedFor(hypothesisWith(bench, "coulomb", "friction", 0.06, 0.01),
+                hypothesisWith(bench, "encoder_offset", "offset", 0.05, 0.01), {"swing_three_heights", "hold_once"});
+  EXPECT_THAT(namesOf(next), testing::ElementsAre("hold_once", "swing_three_heights"));
+  EXPECT_GT(sigmaFor(next, "hold_once"), thresholds::kSurelySeparated);
 }
 
 TEST(Ranking, WhatARefitAbsorbsSeparatesNothing) {
