@@ -44,7 +44,10 @@ Eigen::MatrixXd bifurcationOf(const Case& given, std::size_t log, double rest_si
   const double resolution_rad = 2 * kPi / given.model.servo.ticks_per_rev;
   Eigen::MatrixXd none(rows, 0);
   std::vector<std::vector<double>> runs;
-  for (const std::vector<std::size_t>& group : repeatGroups(given)) {
+  std::vector<std::size_t> of_its_role;  // a held-out log has no part in the noise of a fit
+  for (std::size_t i = 0; i < given.logs.size(); ++i)
+    if (given.logs[i].held_out == measured.held_out) of_its_role.push_back(i);
+  for (const std::vector<std::size_t>& group : repeatGroups(given, of_its_role)) {
     if (std::ranges::find(group, log) == group.end()) continue;
     for (const std::size_t run : group) {
       const Trajectory& other = given.logs[run];

@@ -52,6 +52,14 @@ TEST(Bifurcation, AWarmerServoThatRestsElsewhereIsAGap) {
   EXPECT_FALSE(noiseOfRelease(releasedTwice(0.002)).bifurcates()) << "within what the model expects";
 }
 
+TEST(Bifurcation, AHeldOutRepeatHasNoPartInTheNoiseOfAFit) {
+  Case given = releasedTwice(kApart);
+  given.logs.back().held_out = true;
+  EXPECT_FALSE(noiseOfRelease(given).bifurcates());
+  given.logs[kRelease].held_out = true;
+  EXPECT_TRUE(noiseOfRelease(given).bifurcates());
+}
+
 // A release is the place to see where a joint rests: under torque a difference is the servo's.
 TEST(Bifurcation, NeedsAReleasedJoint) {
   Case given = releasedTwice(kApart);
