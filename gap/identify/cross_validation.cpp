@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "gap/plant/registers.hpp"
@@ -20,12 +22,37 @@ Evidence leftOut(const Evidence& all, const std::vector<std::size_t>& left_out) 
   return rest;
 }
 
+/// The effect as the baseline has it, or not at all.
+Eigen::VectorXd withoutEffect(const FittedModel& fitted, const ChosenEffect& effect, Eigen::VectorXd x) {
+  const auto& unknowns = fitted.problem.unknowns();
+  const twin::EffectSetting* const before = fitted.study->baseline.find(effect.info->id, effect.place);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (parameter == nullptr || parameter->info != effect.info || !(parameter->place == effect.place)) continue;
+    const double value = before ? before->values[parameter->index] : effect.info->parameters[parameter->index].neutral;
+    x[static_cast<Eigen::Index>(i)] = unknowns[i].toSearch(value);
+  }
+  return fitted.problem.inBounds(std::move(x));
+}
+
+/// The fit to all logs, without those effects that the other logs do not need: a fit to them would leave the numbers
+/// where the left-out log has put them, and predict that log by itself.
+Eigen::VectorXd startOf(const FittedModel& fitted, const Problem& others) {
+  Eigen::VectorXd x = fitted.fit.x;
+  double cost = others.cost(x);
+  for (const ChosenEffect& effect : fitted.effects) {
+    const Eigen::VectorXd bare = withoutEffect(fitted, effect, x);
+    if (const double without = others.cost(bare); without <= cost) x = bare, cost = without;
+  }
+  return x;
+}
+
 /// Mean |position error| of these logs, rad, when the others alone are fitted.
 double errorOn(const FittedModel& fitted, const std::vector<std::size_t>& left_out) {
   const Evidence rest = leftOut(*fitted.evidence, left_out);
   const Problem problem{rest, fitted.problem.hypothesis(), fitted.problem.unknowns()};
   const Fit fit =
-      solve(problem, fitted.fit.x,
+      solve(problem, startOf(fitted, problem),
             {.iterations = thresholds::kCrossValidationIterations, .refine = false, .steps = fitted.fit.steps});
   double sum = 0;
   double count = 0;

@@ -13,7 +13,9 @@ struct CrossValidation {
   int logs = 0;
 
   static constexpr int kFewestLogs = 3;  // for a standard error
-  /// The mean is positive by more than two standard errors.
+  /// The mean is positive by more than two standard errors. Among equal models that is chance in 9 % of cases with
+  /// three logs, in 4 % with eight. Not the 4.5 of Student's t: an effect that shows in some logs only, as a speed
+  /// limit, has ratios that differ much, and three logs would never do.
   [[nodiscard]] bool improves() const { return logs >= kFewestLogs && mean > 2 * error; }
 };
 CrossValidation crossValidate(const FittedModel& without, const FittedModel& with);

@@ -5,6 +5,7 @@
 
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/cross_validation.hpp"
+#include "gap/identify/few_logs.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -59,8 +60,9 @@ std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectI
   const bool is_wrong = excess > thresholds::kRightCostRatio || fitted.evidence->discrepancy.any();
   const double wider =
       excess > thresholds::kRightCostRatio ? std::sqrt(correlatedSamples(*fitted.evidence) * excess) : 1;
-  const bool by_logs = is_wrong && std::ssize(independentLogs(*fitted.evidence)) >= CrossValidation::kFewestLogs &&
-                       fitted.fit.jacobian.cols() == fitted.fit.x.size();
+  const auto logs = std::ssize(independentLogs(*fitted.evidence));
+  const bool by_logs =
+      is_wrong && logs >= CrossValidation::kFewestLogs && fitted.fit.jacobian.cols() == fitted.fit.x.size();
   const Eigen::MatrixXd over_logs = by_logs ? jackknifeCovariance(fitted) : Eigen::MatrixXd{};
   std::vector<Estimate> estimates;
   const auto& unknowns = fitted.problem.unknowns();
@@ -76,8 +78,8 @@ std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectI
     const double x = fitted.fit.x[at], value = unknowns[i].fromSearch(x);
     const double sharpest = thresholds::kFinestInterval * (unknowns[i].logarithmic ? 1 : std::abs(value));
     const double local = wider * std::sqrt(fitted.fit.covariance(at, at));
-    const double sigma = by_logs ? std::fmax(local, std::sqrt(over_logs(at, at))) : local;
-    const double half = std::max(sharpest, thresholds::kInterval90 * sigma);
+    double half = std::max(sharpest, thresholds::kInterval90 * local);
+    if (by_logs) half = std::fmax(half, interval90(static_cast<int>(logs)) * std::sqrt(over_logs(at, at)));
     if (effect.parameters[parameter->index].role == twin::ParameterRole::kGoalDelay) {
       // A goal acts from the first firmware period after it arrives; its instant within the period before is unknown.
       const double early = fitted.problem.hypothesis().servo.firmware_period_s / 2;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/cross_validation.hpp"
@@ -38,15 +39,16 @@ TEST(Judge, ANumberWithinItsPriorHasToGainWhatAnyEffectHasTo) {
   EXPECT_EQ(least("encoder_offset", "offset", 0.05), 16);
 }
 
-const twin::EffectInfo* const kEffects[] = {twin::findEffect("encoder_offset"), twin::findEffect("transport_delay"),
-                                            twin::findEffect("supply_sag")};
+std::vector<const twin::EffectInfo*> threeEffects() {
+  return {twin::findEffect("encoder_offset"), twin::findEffect("transport_delay"), twin::findEffect("supply_sag")};
+}
 
 TEST(Screen, WhatIsMissingPromisesMost) {
   const Case bench = smallBench();
   const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 21);
   const Study study{given};
   const FittedModel present = baselineOn(study, Nuisance::kFixed);
-  const Screen screen{present, {std::begin(kEffects), std::end(kEffects)}};
+  const Screen screen{present, threeEffects()};
   EXPECT_EQ(screen.candidates().front().effect->id, "encoder_offset");
   EXPECT_GT(screen.candidates().front().predicted_gain, 100);
 }
@@ -68,7 +70,7 @@ TEST(Screen, NoisePromisesLittle) {
   const Case given = measured(bench, baselineOf(bench), 23);
   const Study study{given};
   const FittedModel present = baselineOn(study, Nuisance::kFixed);
-  const Screen screen{present, {std::begin(kEffects), std::end(kEffects)}};
+  const Screen screen{present, threeEffects()};
   EXPECT_LT(screen.candidates().front().predicted_gain, 30);
   EXPECT_LT(screen.greatestPredictedGain(Eigen::VectorXd::Zero(present.evidence->size())), 1e-9);
 }
@@ -127,6 +129,24 @@ TEST(CrossValidation, WhatIsNotThereDoesNot) {
   EXPECT_FALSE(crossValidate(baselineOn(study, Nuisance::kFixed), effectOn(study, "supply_sag")).improves());
 }
 
+// Its number comes from that log: a fit to the others knows nothing of it.
+TEST(CrossValidation, ALogThatAloneShowsAnEffectIsNotPredictedByIt) {
+  Case bench = smallBench();
+  for (Trajectory& log : bench.logs) log.held_out = true;
+  for (double (*const slow)(double) :
+       {+[](double t) { return 0.3 * std::sin(t); }, +[](double t) { return 0.2 * std::sin(2 * t); },
+        +[](double t) { return 0.25 * std::sin(1.5 * t); }})
+    bench.logs.push_back(commanded("slow", 4, 16, 0.3, slow));
+  bench.logs.push_back(commanded("steps", 4, 32, 0.3, [](double t) { return t < 1 ? 0.0 : t < 2.5 ? 1.2 : -0.6; }));
+  const Case given = measured(bench, withEffect(bench, "torque_limit", "duty", 0.35), 28);
+  const Study study{given};
+  const FittedModel bare = baselineOn(study, Nuisance::kFixed), limited = effectOn(study, "torque_limit");
+  ASSERT_LT(limited.fit.cost, 0.5 * bare.fit.cost);
+  const std::vector<double> without = leaveOneOutErrors(bare), with = leaveOneOutErrors(limited);
+  EXPECT_GT(without[3], 0.01);
+  EXPECT_NEAR(with[3], without[3], 0.02 * without[3]);
+}
+
 TEST(CrossValidation, ALogThatTheEncoderCannotTellFromAnotherDoesNotCount) {
   constexpr double kFloor = 4e-4;
   EXPECT_TRUE(crossValidate({0.1, 0.11, 0.1, 0}, {0.02, 0.02, 0.021, 0}, kFloor).improves()) << "an arm at rest";
@@ -161,6 +181,30 @@ TEST(Estimates, ARemainderWidensByTheTimeThatErrorsAreCorrelated) {
   for (Trajectory& log : given.logs)
     for (double& time_s : log.time_s) time_s /= 4;
   EXPECT_NEAR(widthFor(2) / right, std::sqrt(2 * 4 * 8), 0.01);
+}
+
+// A standard error of three values: 90 % of means are within 2.92 of it.
+TEST(Estimates, ThreeLogsThatDisagreeGiveTheIntervalOfThreeLogs) {
+  const Case bench = smallBench();
+  const twin::EffectInfo& offset = *twin::findEffect("encoder_offset");
+  Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 24);
+  for (std::size_t log = 0; log < 3; ++log)
+    for (double& position : given.logs[log].position_rad) position += 0.001 * (static_cast<double>(log) - 1);
+  const auto estimate = [&] {
+    const Study study{given};
+    return estimatesOf(fitWith(study, {{&offset}}, Nuisance::kFixed, 2), offset, 2).front();
+  };
+  const Estimate all = estimate();
+  double square_sum = 0;
+  for (std::size_t left_out = 0; left_out < 3; ++left_out) {
+    given.logs[left_out].held_out = true;
+    square_sum += std::pow(estimate().value - all.value, 2);
+    given.logs[left_out].held_out = false;
+  }
+  const double jackknife = std::sqrt(square_sum * 2 / 3);
+  const double half = (all.high - all.low) / 2;  // its own jackknife is of first order
+  EXPECT_GT(half, 2.92 * 0.9 * jackknife);
+  EXPECT_LT(half, 2.92 * 1.5 * jackknife);
 }
 
 TEST(Estimates, WhatTheDataSayNothingAboutIsLeftNeutral) {
