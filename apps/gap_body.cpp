@@ -96,8 +96,9 @@ int addToBody(const Arguments& given) {
   const BodyCase read = readBody(given);
   const std::string before = modelText(given, read);
   const BodyAdditions added = bodyAdditionsIn(textOf(given.results), given.results, read.name, read.joints.model);
-  const std::string warning = otherModelWarning(textOf(given.results), given.results, read.name, before);
-  if (!warning.empty()) std::cerr << "darwinop gap: " << warning << '\n';
+  for (const std::string& warning : {otherModelWarning(textOf(given.results), given.results, read.name, before),
+                                     otherDataWarning(textOf(given.results), given.results, dataHash(read))})
+    if (!warning.empty()) std::cerr << "darwinop gap: " << warning << '\n';
   const std::string text = withAdditions(before, added.additions);
   if (given.out.empty())
     std::cout << text;

@@ -147,6 +147,9 @@ int addEffects(const Arguments& given) {
     throw std::runtime_error("add needs either report.json of a run or --effect ID.PARAMETER=VALUE");
   const Additions additions = given.results.empty() ? atJoint(additionsFrom(given.effects), read)
                                                     : additionsIn(textOf(given.results), given.results, read);
+  const std::string warning =
+      given.results.empty() ? "" : otherDataWarning(textOf(given.results), given.results, dataHash(read));
+  if (!warning.empty()) std::cerr << "darwinop gap: " << warning << '\n';
   const std::string before = startModel(given, read), text = withAdditions(before, additions);
   if (given.out.empty())
     std::cout << text;

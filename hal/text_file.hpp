@@ -9,6 +9,7 @@ namespace darwinop {
 
 /// Bytes; enough for a settings file of thousands of lines.
 inline constexpr std::size_t kLongestTextFile = 1 << 20;
+inline constexpr std::size_t kAnyLength = static_cast<std::size_t>(-1);
 
 // Why readTextFile() refuses what is not a regular file.
 inline constexpr const char* kFolderInsteadOfFile = "it is a folder";

@@ -6,15 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <optional>
 
 #include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 
 std::vector<std::string> filesOf(const Case& given) {
   std::vector<std::string> files{"case.json"};
@@ -31,10 +28,13 @@ std::string sha256(std::string_view data) {
 }
 
 std::string dataHash(const Case& given) {
+  return dataHash(given.folder, filesOf(given));
+}
+
+std::string dataHash(const std::string& folder, const std::vector<std::string>& files) {
   std::string all;
-  for (const std::string& name : filesOf(given)) {
-    const auto text =
-        given.folder.empty() ? std::nullopt : readTextFile(std::filesystem::path{given.folder} / name, kAnyLength);
+  for (const std::string& name : files) {
+    const auto text = folder.empty() ? std::nullopt : readTextFile(std::filesystem::path{folder} / name, kAnyLength);
     if (!text) return "";
     all += *text;
   }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gap/case/case.hpp"
 
@@ -14,6 +15,8 @@ std::string sha256(std::string_view data);
 /// Of case.json and the logs behind each other, in the order of the case:
 /// `cd CASE && cat case.json fit_1.csv … | sha256sum` gives the same. Empty: a case that lies in no folder.
 std::string dataHash(const Case& given);
+/// The same of these files of a folder.
+std::string dataHash(const std::string& folder, const std::vector<std::string>& files);
 /// That command, to be run in the folder of the case.
 std::string hashCommand(const Case& given);
 

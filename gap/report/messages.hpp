@@ -61,6 +61,8 @@ inline constexpr const char* kNamesNoEffect = "names no effect";
 inline constexpr const char* kOtherModel =
     ": the search was on another model than this one; what it adds to numbers counts twice where this one has it "
     "already. Give the model of the search with --model";
+inline constexpr const char* kOtherData =
+    ": the search was on other recordings than these: is it the report of another case of this name?";
 inline constexpr const char* kNotAResult = "not a result of darwinop gap";
 inline constexpr const char* kNumberGivenTwice = "this number is given twice";
 inline constexpr const char* kTypicalValue = "not known, the typical value";

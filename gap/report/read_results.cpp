@@ -72,4 +72,10 @@ Additions additionsIn(std::string_view results, const std::string& file, const C
   }
 }
 
+std::string otherDataWarning(std::string_view results, const std::string& file, const std::string& data_hash) {
+  const json all = json::parse(results);
+  const bool is_other = all.is_object() && !data_hash.empty() && all.value(kDataHash, data_hash) != data_hash;
+  return is_other ? file + messages::kOtherData : "";
+}
+
 }  // namespace darwinop::gap

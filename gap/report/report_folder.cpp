@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "hal/text_file.hpp"
+
 namespace darwinop::gap {
 
 void writeReportFolder(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& files) {
@@ -16,6 +18,10 @@ void writeReportFolder(const std::string& folder, const std::vector<std::pair<st
   if (wrong) throw std::runtime_error("cannot create " + folder + ": " + wrong.message() + kRemedy);
   for (const auto& [name, text] : files) {
     const std::filesystem::path path = std::filesystem::path{folder} / name;
+    if (const auto former = readTextFile(path, kAnyLength); former && *former != text) {
+      std::filesystem::rename(path, path.string() + ".before", wrong);
+      if (wrong) throw std::runtime_error("cannot replace " + path.string() + ": " + wrong.message() + kRemedy);
+    }
     std::ofstream file{path, std::ios::binary};
     file << text;
     file.close();

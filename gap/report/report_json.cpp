@@ -76,7 +76,7 @@ json asJson(const Report& report) {
   all["logs"] = logsAsJson(report);
   all["model_changes"] = diffAsJson(report);
   all["commands"] = report.commands;
-  all["data_sha256"] = report.data_hash;
+  all[kDataHash] = report.data_hash;
   return all;
 }
 

@@ -1,12 +1,24 @@
 #include "gap/report/body/body_report.hpp"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "core/json/json_text.hpp"
+#include "gap/report/addition.hpp"
 #include "gap/report/body/body_additions.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report_folder.hpp"
 #include "gap/report/results.hpp"
 
 namespace darwinop::gap {
+
+std::string dataHash(const BodyCase& given) {
+  std::vector<std::string> files{"case.json"};
+  for (const BodyLog& log : given.logs)
+    if (std::ranges::find(files, log.file) == files.end()) files.push_back(log.file);
+  return dataHash(given.folder, files);
+}
 
 BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, const std::string& model) {
   BodyReport report;
@@ -15,6 +27,7 @@ BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, cons
   report.answer["format"] = kResultsFormat;
   report.answer.update(asJson(given, found));
   report.answer[kModelHash] = sha256(model);
+  report.answer[kDataHash] = dataHash(given);
   report.model_before = report.model_after = model;
   if (report.answer["effects"].empty()) return report;
   const BodyAdditions added =

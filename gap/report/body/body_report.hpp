@@ -18,6 +18,9 @@ struct BodyReport {  // NOLINT(bugprone-exception-escape): no constructor of the
   std::vector<std::string> commands;  // that make this report again
 };
 
+/// Hash of case.json and the recordings, each once, in the order of the case: as data_hash.hpp.
+std::string dataHash(const BodyCase& given);
+
 /// Both have to outlive it. `model`: the file that the case's model is from, whose comments stay.
 BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, const std::string& model);
 

@@ -1,14 +1,11 @@
 // What a terminal shows, and the figures behind it.
 #include <gmock/gmock.h>
 
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
-#include "gap/report/data_hash.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/report_rig.hpp"
 
@@ -258,36 +255,6 @@ TEST(Compare, DataWithoutNoiseAreBelowTheFloor) {
   }
   const Comparison found = compare(bench, baselineOf(bench), baselineOf(bench));
   EXPECT_TRUE(found.anyBelowFloor(bench, true)) << "no servo agrees to the last digit with a simulation";
-}
-
-TEST(DataHash, IsThatOfSha256sum) {
-  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(sha256(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
-}
-
-TEST(DataHash, ChangesWithTheDataAndNotWithTheFolder) {
-  Case given = twoLogs();
-  for (Trajectory& log : given.logs) log.file = log.held_out ? "score 1.csv" : "fit_1.csv";
-  EXPECT_EQ(dataHash(given), "") << "it lies in no folder";
-  given.folder = testing::TempDir() + "/darwinop_data_hash";
-  std::filesystem::create_directories(given.folder);
-  for (const char* file : {"case.json", "fit_1.csv", "score 1.csv"})
-    std::ofstream{std::filesystem::path{given.folder} / file} << file;
-  EXPECT_EQ(dataHash(given), sha256("case.jsonfit_1.csvscore 1.csv"));
-  EXPECT_EQ(hashCommand(given), "cat case.json fit_1.csv 'score 1.csv' | sha256sum");
-}
-
-TEST(WriteReport, SaysWhatToDoWhenItCannot) {
-  const ReportRig rig;
-  const std::string file = testing::TempDir() + "/darwinop_no_folder";
-  std::ofstream{file} << "a file";
-  try {
-    writeReport(rig.report, file + "/report");
-    FAIL() << "a file is no folder";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr(file + "/report"), HasSubstr("--report")));
-  }
 }
 
 }  // namespace
