@@ -75,6 +75,7 @@ class Search {
   }
   [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& x) const;
   [[nodiscard]] double cost(const Eigen::VectorXd& residuals) const { return robustCost(residuals); }
+  [[nodiscard]] double excessOf(const Eigen::VectorXd& data) const;
   void setSigmas(const Eigen::VectorXd& x, const Eigen::MatrixXd& information);
 
   const ResidualsOfEffects& of_;
@@ -94,6 +95,12 @@ Eigen::VectorXd Search::residuals(const Eigen::VectorXd& x) const {
       out[from + static_cast<Eigen::Index>(i)] =
           (x[static_cast<Eigen::Index>(i)] - number.neutral) / number.prior_sigma;
   return out;
+}
+
+/// What no model explains is not noise: cost of the data over that of a right model, at least 1.
+double Search::excessOf(const Eigen::VectorXd& data) const {
+  const double of_noise = static_cast<double>(data.size()) * rows_alike_ / thresholds::kCorrelatedSamples;
+  return std::max(1.0, robustCost(data) / of_noise);
 }
 
 MechanicsFit Search::run(int iterations) {
@@ -143,7 +150,7 @@ MechanicsFit Search::run(int iterations) {
     if (before - fit_.cost < kLeastGain) break;
   }
   fit_.effects = at(x);
-  if (x.size() > 0) setSigmas(x, of_data / rows_alike_ + of_priors);
+  if (x.size() > 0) setSigmas(x, of_data / (rows_alike_ * excessOf(z.head(z.size() - x.size()))) + of_priors);
   return fit_;
 }
 

@@ -28,7 +28,8 @@ double robustCost(const Eigen::VectorXd& whitened);
 using ResidualsOfEffects = std::function<Eigen::VectorXd(const std::vector<PlacedMechanics>&)>;
 
 /// Most probable values of the effects from those given. `free`: indices of effects whose numbers are free; the others
-/// stay. `secondary`: those numbers as well. `rows_alike`: residuals that count as one, for the standard deviations.
+/// stay. `secondary`: those numbers as well. `rows_alike`: residuals that count as one, for the standard deviations; of
+/// kCorrelatedSamples, if it is less, the others are in the residuals already. What is left beyond noise widens them.
 MechanicsFit fitEffects(const ResidualsOfEffects& residuals, std::vector<PlacedMechanics> effects,
                         const std::vector<std::size_t>& free, bool secondary, int iterations, double rows_alike);
 /// The same, to the motion of the limbs that the free effects are in.

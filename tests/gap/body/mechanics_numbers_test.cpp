@@ -51,6 +51,25 @@ TEST(MechanicsNumbers, ASecondAdditionToAJointIsOnTopOfTheFirst) {
   EXPECT_THAT(found[1].own, ElementsAre(own + 0.1));
 }
 
+// Ten thousand rows of one standard deviation, and of three.
+TEST(MechanicsNumbers, IntervalsGrowWithWhatIsLeft) {
+  const MechanicalEffect& coulomb = effectCalled("coulomb");
+  const auto sigmaWith = [&](double noise) {
+    const auto residuals = [&](const std::vector<PlacedMechanics>& placed) {
+      Eigen::VectorXd out(10'000);
+      for (Eigen::Index i = 0; i < out.size(); ++i)
+        out[i] = (placed.front().values[0] - 0.05) / 0.1 + noise * (i % 2 == 0 ? 1 : -1);
+      return out;
+    };
+    const std::vector<PlacedMechanics> start{{&coulomb, {Joint::kArmUpperR}, {0.04}}};
+    return fitEffects(residuals, start, {0}, false, 20, thresholds::kCorrelatedSamples).sigmas[0][0];
+  };
+  const double right = sigmaWith(1);
+  EXPECT_NEAR(right, 0.1 / std::sqrt(10'000 / thresholds::kCorrelatedSamples), 0.0004);
+  EXPECT_GT(sigmaWith(3), 2.5 * right);
+  EXPECT_LT(sigmaWith(0.5), 1.05 * right) << "a robot that is quieter than assumed is not known better";
+}
+
 TEST(MechanicsNumbers, NoMoreFrictionIsTakenAwayThanThereIs) {
   const MechanicalEffect& coulomb = effectCalled("coulomb");
   const double own = ownNumber(shippedRobot(), coulomb, Joint::kArmUpperR);
