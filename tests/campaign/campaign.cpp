@@ -84,7 +84,6 @@ void Campaign::cycle(const Commands& asked) {
 /// reader can detect it, so these readings are counted apart.
 void Campaign::checkReadings(const BodyState& before, const BodyState& after) {
   for (std::size_t i = 0; i < kJoints; ++i) {
-    fastest = std::max(fastest, std::abs(after.joint[i].velocity_rad_s));
     const JointSensors& joint = loop.sensors().joint[i];
     if (!joint.motion.fresh()) continue;
     ++readings;

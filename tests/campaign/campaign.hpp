@@ -49,7 +49,6 @@ class Campaign : private hil::WireObserver {
   [[nodiscard]] static double wrongReadingsAllowed(bool bytes_whole, long readings);
   /// What both judges and the campaign tolerated.
   [[nodiscard]] Tolerated tolerated() const;
-  double fastest = 0;  // rad/s
 
  private:
   static cm730::BusConfig busConfig(bool board);

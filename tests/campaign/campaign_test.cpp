@@ -28,7 +28,6 @@ void fightAndReport(Campaign& campaign, std::uint64_t seed, hil::FaultKinds kind
   campaign.fight(cycles, kFaultsPerSecond, kinds);
   EXPECT_EQ(campaign.failure(), "");
   EXPECT_GT(campaign.wire_judge.goalsSeen(), cycles);  // it did drive
-  EXPECT_LE(campaign.fastest, campaign.config.max_joint_speed);
   const ServoJudge::Tally& tally = campaign.servo_judge.tally();
   EXPECT_GT(tally.edges, cycles / 100);
   std::cout << "seed " << seed << ": " << campaign.readings << " fresh readings, " << campaign.wire_judge.goalsSeen()

@@ -41,19 +41,26 @@ RC_GTEST_PROP(GuardProperty, RandomBytesInPlaceOfCommandsStayWithinTheLimits, ()
   Invariants invariants{config};
   FakeRobot robot;
   Commands commands;
+  bool all_random = false;  // from the first image of which every field is random
+  int driven = 0;           // cycles after it in which a joint is driven
   for (int cycle = 0; cycle < 600; ++cycle) {
-    const Commands image = randomImage(random);
+    Commands image = randomImage(random);
+    // The loop's own: an operator who releases the robot ends every case.
+    image.operator_resets = image.operator_releases = 0;
+    if (random() % 2 == 0) image.unattended = false;  // else no session clears a fault
     if (random() % 2 == 0) commands.joint = image.joint;
     if (random() % 8 == 0) commands.led = image.led;
-    if (random() % 20 == 0) commands = image;
+    if (random() % 20 == 0) commands = image, all_random = true;
     if (random() % 50 == 0) ++commands.session;
     if (random() % 10 != 0) commands.end_of_session = commands.hold = false;
     ++commands.sequence;
     const SafeCommands safe = guard.vet(commands, robot.seen);
     const std::string wrong = invariants.check(safe, robot.seen);
     if (!wrong.empty()) RC_FAIL("cycle " + std::to_string(cycle) + ": " + wrong);
+    driven += all_random && safe.driven().any() ? 1 : 0;
     robot.cycle(safe);
   }
+  RC_ASSERT(driven > 0);
 }
 
 }  // namespace
