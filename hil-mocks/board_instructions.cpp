@@ -11,6 +11,7 @@ void VirtualBoard::execute(bool good_checksum) noexcept {
   const Bytes params = parser_.params();
   if (silenced_) return;
   ++counters_.frames;
+  drawDeafness();
   if (!good_checksum) ++counters_.bad_checksums;
   if (id != kBroadcastId) return executeUnicast(id, instruction, params, good_checksum);
   if (!good_checksum) return;
@@ -32,22 +33,40 @@ void VirtualBoard::forEachListener(std::uint8_t id, F&& action) noexcept {
   std::size_t count = 0;
   if (options_.board && (id == kBroadcastId || id == device_.id())) listeners[count++] = &device_;
   for (VirtualServo& s : servos_)
-    if (s.listens(now_) && (id == kBroadcastId || id == s.id())) listeners[count++] = &s;
+    if (s.listens(now_) && !deaf_[static_cast<std::size_t>(&s - servos_.data())] &&
+        (id == kBroadcastId || id == s.id()))
+      listeners[count++] = &s;
   for (std::size_t i = 0; i < count; ++i) action(*listeners[i]);
 }
 
 void VirtualBoard::executeUnicast(std::uint8_t id, std::uint8_t instruction, Bytes params,
                                   bool good_checksum) noexcept {
   // Status before effect: a device replies with its state before the write.
-  bool on_the_bus = instruction == static_cast<std::uint8_t>(Instruction::kRead);
+  const bool is_read = instruction == static_cast<std::uint8_t>(Instruction::kRead);
+  bool on_the_bus = is_read;
   beginReply();
   forEachListener(id, [&](BusDevice& device) {
     measure(device);
     on_the_bus |= &device != &device_;  // reads of the board itself are not forwarded to the bus
     addReply(device, good_checksum ? device.answer(instruction, params) : device.answerBadChecksum(instruction));
+    if (good_checksum && is_read && params.size() == 2 && &device != &device_)
+      addTwin(static_cast<const VirtualServo&>(device), params[0], params[1]);
   });
+  damageReply(id);
   sendReply(on_the_bus);
   if (good_checksum) forEachListener(id, [&](BusDevice& device) { carryOut(device, instruction, params); });
+}
+
+void VirtualBoard::drawDeafness() noexcept {
+  for (std::size_t i = 0; i < kJoints; ++i) deaf_[i] = noise_[i] > 0 && random_.uniform() < noise_[i];
+}
+
+/// One byte of the answer of this servo.
+void VirtualBoard::damageReply(std::uint8_t id) noexcept {
+  if (reply_size_ == 0 || id == 0 || id > kJoints) return;
+  const double chance = noise_[id - std::size_t{1}];
+  if (chance > 0 && random_.uniform() < chance)
+    reply_[random_.below(reply_size_)] ^= static_cast<std::uint8_t>(1 + random_.below(255));
 }
 
 void VirtualBoard::carryOut(BusDevice& device, std::uint8_t instruction, Bytes params) noexcept {
@@ -96,6 +115,7 @@ void VirtualBoard::nextTurn() noexcept {
       addReply(device, device.answerRead(turn.address, turn.count));
       if (&device != &device_) addTwin(static_cast<const VirtualServo&>(device), turn.address, turn.count);
     });
+  damageReply(turn.id);
   // Each device waits for the reply of the previous one. The board times out after 100 ms and servos never do, but by
   // then the PC has sent a new request: a silent or garbled id ends the chain.
   const bool answered =

@@ -29,6 +29,7 @@ enum class FaultKind : std::uint8_t {
   kBabble,   // unsolicited bytes
   kTwins,    // a second device with a servo's id
   kSag,      // voltage drop proportional to the servos' current
+  kNoise,    // on the servos' bus: a servo misses a request, or its answer is damaged before the next one hears it
   kDrop,     // from here on: bytes between PC and board
   kCorrupt,
   kRepeat,
@@ -43,8 +44,8 @@ using FaultKinds = std::bitset<kFaultKinds>;
 
 /// Names in fault scripts.
 inline constexpr std::array<std::string_view, kFaultKinds> kFaultKindNames{
-    "dead",   "errors", "heat", "voltage", "reset",   "button", "fallen",       "stall", "unplug",  "jam",   "miss",
-    "babble", "twins",  "sag",  "drop",    "corrupt", "repeat", "repeat-frame", "delay", "garbage", "random"};
+    "dead",   "errors", "heat", "voltage", "reset", "button",  "fallen", "stall",        "unplug", "jam",     "miss",
+    "babble", "twins",  "sag",  "noise",   "drop",  "corrupt", "repeat", "repeat-frame", "delay",  "garbage", "random"};
 
 constexpr bool isWireFault(FaultKind kind) {
   return kind >= FaultKind::kDrop && kind <= FaultKind::kGarbage;
@@ -68,14 +69,14 @@ struct InjectedFault {
   Nanos at{0};
   FaultKind kind = FaultKind::kReset;
   Nanos lasts = kForEver;       // 0 for a wire fault: the next frame only
-  std::bitset<kJoints> joints;  // dead, errors, heat, jam, twins
+  std::bitset<kJoints> joints;  // dead, errors, heat, jam, twins, noise
   double amount = 0;            // deg C, V, s, bytes per frame, ms of delay, BULK_READs, or random faults per second
   std::uint8_t bits = 0;        // error bits, or buttons
   Fall fall = Fall::kFront;
   Nanos over{0};  // heat, voltage: duration of the linear ramp
   Way way = Way::kReplies;
-  double chance = 1;                 // probability per frame, or per status for error bits
-  std::optional<Nanos> boot;         // dead: boot time afterwards; empty: BoardOptions
+  double chance = 1;          // probability per frame; per status for error bits; per request and answer for noise
+  std::optional<Nanos> boot;  // dead: boot time afterwards; empty: BoardOptions
   FaultKinds kinds = ~FaultKinds{};  // random: kinds to draw from
 
   [[nodiscard]] constexpr Nanos end() const { return lasts == kForEver ? kForEver : at + lasts; }

@@ -2,6 +2,7 @@
 #include "hil-mocks/fault_injector.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/units.hpp"
 #include "hil-mocks/random_fault.hpp"
@@ -65,10 +66,12 @@ void FaultInjector::clear() noexcept {
   waiting_.clear();
   active_.clear();
   wire_faults_ = false;
+  cleared_ = true;
   next_change_ = Nanos{0};  // the effects are undone at once
 }
 
 void FaultInjector::apply(Nanos now, VirtualBoard& board) noexcept {
+  if (std::exchange(cleared_, false)) board.forgetMisses();
   std::erase_if(active_, [now](const Active& a) {
     return a.fault.end() <= now && !(isWireFault(a.fault.kind) && a.fault.lasts == Nanos{0});
   });
@@ -128,6 +131,7 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
   std::array<std::optional<double>, kJoints> celsius;  // empty: from the body
   std::array<std::optional<Nanos>, kJoints> jam;
   std::bitset<kJoints> twins;
+  std::array<double, kJoints> noise{};
   double supply_v = normal.supply_v, sag_v = 0;
   std::uint8_t buttons = 0;
   std::optional<std::array<double, 3>> acceleration;
@@ -138,6 +142,7 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
     for (std::size_t i = 0; i < kJoints; ++i) {
       if (!fault.joints[i]) continue;
       if (fault.kind == FaultKind::kJam) jam[i] = faultTime(fault.amount);
+      if (fault.kind == FaultKind::kNoise) noise[i] = std::max(noise[i], fault.chance);
       if (fault.kind == FaultKind::kErrors && !flickers(fault)) errors[i] |= fault.bits;
       if (fault.kind == FaultKind::kHeat)  // of two the hotter one: a servo does not cool when another one begins
         celsius[i] = std::max(celsius[i], std::optional{ramped(fault, normal.temperature_c, now)});
@@ -163,7 +168,10 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
     board.setTemperature(joint, celsius[i]);
     board.setJam(joint, jam[i]);
     board.setTwin(joint, twins[i]);
-    if (dead[i] != dead_[i]) board.setServoDead(joint, dead[i]);
+    board.setNoise(joint, noise[i]);
+    if (dead[i] == dead_[i]) continue;
+    board.setServoDead(joint, dead[i]);
+    if (!dead[i]) board.setBoot(joint, normal.servo_boot);  // that of the fault was for this start
   }
   dead_ = dead;
 }

@@ -61,6 +61,7 @@ class FaultInjector {
   std::array<std::uint64_t, kFaultKinds> begun_of_{};
   Nanos next_change_ = Nanos::max();
   std::bitset<kJoints> dead_;
+  bool cleared_ = false;
   bool unplugged_ = false, wire_faults_ = false;
 };
 

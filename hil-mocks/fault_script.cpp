@@ -38,6 +38,7 @@ constexpr auto kKinds = std::to_array<KindRow>({
     {FaultKind::kBabble, false, Argument::kNumber, 1, 64, "bytes", For::kAllowed, false},
     {FaultKind::kTwins, true, Argument::kNone, 0, 0, "", For::kAllowed, false},
     {FaultKind::kSag, false, Argument::kNumber, 0, 100, "V", For::kAllowed, false},
+    {FaultKind::kNoise, true, Argument::kNone, 0, 0, "", For::kAllowed, false},
     {FaultKind::kDrop, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
     {FaultKind::kCorrupt, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
     {FaultKind::kRepeat, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
@@ -130,7 +131,8 @@ void readArgument(ScriptLine& line, const KindRow& row, InjectedFault& fault) {
 
 /// Options after a fault, in any order.
 void readOptions(ScriptLine& line, const KindRow& row, InjectedFault& fault) {
-  const bool wire = isWireFault(row.kind), has_chance_option = wire || row.kind == FaultKind::kErrors;
+  const bool wire = isWireFault(row.kind);
+  const bool has_chance_option = wire || row.kind == FaultKind::kErrors || row.kind == FaultKind::kNoise;
   bool has_for = false, has_chance = false;
   while (true) {
     const std::string_view word = line.next();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "hil-mocks/fault.hpp"
 
@@ -66,7 +67,7 @@ void VirtualBoard::advance(Nanos until, bool stop_at_reply) noexcept {
 
 void VirtualBoard::stepBody(Nanos until) noexcept {
   while (body_time_ + options_.body_step <= until) {
-    if (sag_v_ > 0) sagSupply();
+    supplyServos();
     for (std::size_t i = 0; i < kJoints; ++i) {
       servos_[i].strain(options_.body_step);
       drives_[i] = servos_[i].drive(body_.state().joint[i]);
@@ -80,15 +81,17 @@ void VirtualBoard::stepBody(Nanos until) noexcept {
   }
 }
 
-void VirtualBoard::sagSupply() noexcept {
-  double load = 0;
-  for (std::size_t i = 0; i < kJoints; ++i)
-    if (servos_[i].state().pulls()) load += std::abs(body_.state().joint[i].load) / kJoints;
-  rail_v_ = std::max(0.0, supply_v_ - sag_v_ * load);
-  for (VirtualServo& s : servos_) s.setSupply(rail_v_);
-  if (rail_v_ - body_.state().battery_drop_v >= kBrownOutV) return;
-  for (VirtualServo& s : servos_) s.powerDown();
-  afterBoardWrite();  // without load the supply recovers
+/// Servos are off while their supply is too low. One that gave way to their load recovers without it.
+void VirtualBoard::supplyServos() noexcept {
+  if (sag_v_ > 0) {
+    double load = 0;
+    for (std::size_t i = 0; i < kJoints; ++i)
+      if (servos_[i].state().pulls()) load += std::abs(body_.state().joint[i].load) / kJoints;
+    rail_v_ = std::max(0.0, supply_v_ - sag_v_ * load);
+    for (VirtualServo& s : servos_) s.setSupply(rail_v_);
+  }
+  const bool was_out = std::exchange(brown_out_, rail_v_ - body_.state().battery_drop_v < kBrownOutV);
+  if (brown_out_ != was_out) afterBoardWrite();
 }
 
 void VirtualBoard::takeByte() noexcept {
@@ -100,7 +103,7 @@ void VirtualBoard::takeByte() noexcept {
 
 void VirtualBoard::afterBoardWrite() noexcept {
   for (VirtualServo& s : servos_) {
-    if (device_.servoPower()) {
+    if (device_.servoPower() && !brown_out_) {
       measure(s);  // its goal becomes its present position
       s.powerUp(now_, boot_[static_cast<std::size_t>(&s - servos_.data())]);
     } else {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/random.hpp"
 #include "hal/body.hpp"
 #include "hil-mocks/chunk.hpp"
 #include "hil-mocks/device.hpp"
@@ -84,6 +85,8 @@ class VirtualBoard {
   /// Voltage drop (V) at full load of all servos; proportional to their current.
   void setSag(double volt) noexcept { sag_v_ = volt; }
   /// Boot time of a servo at its next power-up.
+  /// Chance that this servo misses a request, and that its answer is damaged on the bus.
+  void setNoise(Joint joint, double chance) noexcept { noise_[index(joint)] = chance; }
   void setBoot(Joint joint, Nanos boot) noexcept { boot_[index(joint)] = boot; }
   void setJam(Joint joint, std::optional<Nanos> trips_after) noexcept { servoOf(joint).setJam(trips_after); }
   /// Adds a second device with this servo's id.
@@ -91,6 +94,7 @@ class VirtualBoard {
   [[nodiscard]] bool hasTwin(Joint joint) const noexcept { return twins_[index(joint)]; }
   /// The next n BULK_READs are received by no device.
   void missBulkReads(int count) noexcept { bulk_reads_to_miss_ += count; }
+  void forgetMisses() noexcept { bulk_reads_to_miss_ = 0; }
   /// Unsolicited bytes towards the PC.
   void babble(Bytes bytes) noexcept;
   /// Pressed by a fault, in addition to the body's buttons.
@@ -120,13 +124,15 @@ class VirtualBoard {
   [[nodiscard]] std::optional<Nanos> nextEvent() const noexcept;
   [[nodiscard]] Nanos free() const { return std::max(line_free_, stalled_until_); }
   void stepBody(Nanos until) noexcept;
-  void sagSupply() noexcept;
+  void supplyServos() noexcept;
   void takeByte() noexcept;
   void execute(bool good_checksum) noexcept;
   void executeUnicast(std::uint8_t id, std::uint8_t instruction, Bytes params, bool good_checksum) noexcept;
   void executeSyncWrite(Bytes params) noexcept;
   void startBulkRead(Bytes params) noexcept;
   void nextTurn() noexcept;
+  void drawDeafness() noexcept;
+  void damageReply(std::uint8_t id) noexcept;
   void carryOut(BusDevice& device, std::uint8_t instruction, Bytes params) noexcept;
   void afterBoardWrite() noexcept;
   void measure(BusDevice& device) noexcept;
@@ -165,7 +171,11 @@ class VirtualBoard {
 
   double supply_v_, sag_v_ = 0;
   double rail_v_;  // supply voltage under load
+  bool brown_out_ = false;
   std::array<Nanos, kJoints> boot_{};
+  std::array<double, kJoints> noise_{};
+  std::bitset<kJoints> deaf_;  // to the present request
+  Rng random_{1};
   std::bitset<kJoints> twins_;
   int bulk_reads_to_miss_ = 0;
   std::uint8_t buttons_ = 0;

@@ -118,7 +118,8 @@ std::uint8_t VirtualServo::objections(std::uint8_t address, Bytes data) const {
   } else if (!table_.accepts(address, data)) {
     return error_bit::kRange;
   }
-  if (table_.byte(kLock) != 0 && table_.touches(Memory::kEeprom, address, data)) return error_bit::kRange;
+  const bool closed = table_.byte(kLock) != 0 || table_.byte(servo::kTorqueEnable) != 0;
+  if (closed && table_.touches(Memory::kEeprom, address, data)) return error_bit::kRange;
   const bool has_goal = address <= servo::kGoalPosition && address + data.size() > servo::kGoalPosition;
   if (has_goal && !goalWithinLimits(wordAt(data, servo::kGoalPosition - std::size_t{address})))
     return error_bit::kAngleLimit;

@@ -53,8 +53,10 @@ void flicker(Chunk& chunk, const InjectedFault& fault, Rng& random) noexcept {
   if (chunk.size < kShortest) return;
   const std::size_t joint = chunk.data[kIdAt] - std::size_t{1};
   if (joint >= kJoints || !fault.joints[joint] || random.uniform() >= fault.chance) return;
+  const auto right = [&] { return checksum(chunk.bytes().subspan(kIdAt, chunk.size - kIdAt - 1)); };
+  if (chunk.data[chunk.size - 1] != right()) return;  // damaged on its way: the servo has sent another one
   chunk.data[kErrorAt] |= fault.bits;
-  chunk.data[chunk.size - 1] = checksum(chunk.bytes().subspan(kIdAt, chunk.size - kIdAt - 1));
+  chunk.data[chunk.size - 1] = right();
 }
 
 }  // namespace darwinop::hil

@@ -40,7 +40,7 @@ hil::FaultKinds allKinds() {
 hil::FaultKinds kindsThatKeepBytesWhole() {
   hil::FaultKinds kinds = allKinds();
   for (const FaultKind kind : {FaultKind::kDrop, FaultKind::kCorrupt, FaultKind::kRepeat, FaultKind::kGarbage,
-                               FaultKind::kBabble, FaultKind::kTwins})
+                               FaultKind::kBabble, FaultKind::kTwins, FaultKind::kNoise})
     kinds.reset(static_cast<std::size_t>(kind));
   return kinds;
 }

@@ -69,7 +69,7 @@ inline constexpr auto kLeniencyTable = std::to_array<LeniencyRow>({
     {Leniency::kShortPress, "MODE pressed without effect", 17, "cycles", "0.25 s, against contact noise"},
     {Leniency::kRecovery, "time until driven again", 500, "cycles", "boot, gentle way to the start pose and back"},
     {Leniency::kReadingSlack, "reading beside the joint", 4, "ticks", "quantization"},
-    {Leniency::kWrongReadings, "wrong readings on a line that damages bytes", 1e-4, "of all", "8-bit checksums"},
+    {Leniency::kWrongReadings, "wrong readings on a line that damages bytes", 1e-5, "of all", "8-bit checksums"},
     {Leniency::kTwinReadings, "wrong readings of a duplicate id", 1, "of all", "no reader can detect the mixture"},
 });
 

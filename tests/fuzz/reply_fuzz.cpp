@@ -8,6 +8,7 @@
 
 #include "core/conversions.hpp"
 #include "hal/cm730/reply_decoder.hpp"
+#include "hal/cm730/request_tag.hpp"
 
 namespace {
 
@@ -15,11 +16,18 @@ using namespace darwinop;
 using namespace darwinop::cm730;
 using List = std::vector<ReadList::Entry>;
 
-constexpr std::size_t kHead = 7, kLongestReply = 58;  // the board's tags ask for up to so many bytes
+constexpr std::size_t kHead = 7;
 
 void require(bool holds) {
   if (!holds) std::abort();
 }
+
+/// What was asked. Without a board the first servo of the list opens the exchange.
+struct Request {
+  List list;
+  bool board;
+  std::uint8_t first_bytes;
+};
 
 struct Result {
   BusReadings readings;
@@ -48,13 +56,22 @@ void seal(std::vector<std::uint8_t>& stream) {
   }
 }
 
+Request requestOf(Bytes head) {
+  Request asked{.list = listOf(head), .board = (head[2] & 0x80) == 0, .first_bytes = 0};
+  const int least = asked.board ? kBoardWindow.count : RequestTag::kLeastServoBytes;
+  const int most = asked.board ? RequestTag::kMostBytes : RequestTag::kMostServoBytes;
+  asked.first_bytes = static_cast<std::uint8_t>(least + head[1] % (most - least + 1));
+  if (!asked.board && !asked.list.empty()) asked.list[0].poll = true;
+  return asked;
+}
+
 /// Feeds `stream` in pieces of 1 + chunks[i] bytes, or whole when there are no chunks.
-Result decode(const List& list, std::uint8_t board_bytes, Bytes stream, Bytes chunks) {
+Result decode(const Request& asked, Bytes stream, Bytes chunks) {
   Result result;
   result.readings.forget();
   FrameReader reader;
-  ReplyDecoder decoder;
-  decoder.begin(list, board_bytes, result.readings);
+  ReplyDecoder decoder{{}, {}, {}, asked.board};
+  decoder.begin(asked.list, asked.first_bytes, result.readings);
   for (std::size_t i = 0; !stream.empty(); ++i) {
     const std::size_t size = chunks.empty() ? FrameReader::kRoom : 1U + chunks[i % chunks.size()];
     const std::size_t taken = reader.feed(stream.first(std::min(stream.size(), size)));
@@ -64,7 +81,8 @@ Result decode(const List& list, std::uint8_t board_bytes, Bytes stream, Bytes ch
   }
   decoder.takeAll(reader, false);
   require(decoder.complete() == (decoder.nextFrameBytes() == 0));
-  require(decoder.firstAnswered() == result.readings.board.answered);
+  require(decoder.firstAnswered() == (asked.board ? result.readings.board.answered : result.readings.servos_answered));
+  require(decoder.answerBytes() >= asked.first_bytes);
   result.answered = decoder.answered();
   result.late = decoder.lateReplies();
   return result;
@@ -87,23 +105,33 @@ std::vector<Reply> repliesIn(Bytes stream) {
   return all;
 }
 
-void requireFrames(const Result& result, const List& list, std::uint8_t board_bytes, Bytes stream) {
+void requireFrames(const Result& result, const Request& asked, Bytes stream) {
   const std::vector<Reply> replies = repliesIn(stream);
   require(result.late <= replies.size());
-  auto at = std::ranges::find_if(
-      replies, [&](const Reply& reply) { return reply.id == kBoardId && reply.params.size() == board_bytes; });
-  require(!result.readings.board.answered || at != replies.end());
-  require(result.answered.none() || result.readings.board.answered);
+  auto at = replies.begin();
+  if (asked.board) {
+    at = std::ranges::find_if(
+        replies, [&](const Reply& reply) { return reply.id == kBoardId && reply.params.size() == asked.first_bytes; });
+    require(!result.readings.board.answered || at != replies.end());
+    require(result.answered.none() || result.readings.board.answered);
+  } else {
+    require(!result.readings.board.answered);
+    require(result.answered.none() || result.answered[asked.list[0].joint]);
+  }
   ReadList::Mask listed;
-  for (const ReadList::Entry entry : list) {
+  for (const ReadList::Entry entry : asked.list) {
+    const bool opens = !asked.board && listed.none();
     listed.set(entry.joint);
     const ServoReading& reading = result.readings.servo[entry.joint];
     require(reading.answered == result.answered[entry.joint]);
     require(!reading.polled || (reading.answered && entry.poll));
     if (!reading.answered) continue;
     at = std::find_if(at, replies.end(), [&](const Reply& reply) {
-      if (reply.id != servoId(entry.joint) || reply.params.size() != kServoWindows[entry.poll].count) return false;
-      const std::uint16_t ticks = wordAt(reply.params, entry.poll ? kServoWindow.address - kServoPoll.address : 0);
+      const std::size_t size = opens ? asked.first_bytes : kServoWindows[entry.poll].count;
+      if (reply.id != servoId(entry.joint) || reply.params.size() != size) return false;
+      const std::size_t poll_at = opens ? size - kServoPoll.count : 0;
+      const std::size_t motion_at = entry.poll ? poll_at + kServoWindow.address - kServoPoll.address : 0;
+      const std::uint16_t ticks = wordAt(reply.params, motion_at);
       return ticks <= kTickMax && reading.position == radFromTicks(ticks) && reading.error_bits == reply.error;
     });
     require(at++ != replies.end());
@@ -118,19 +146,18 @@ void requireFrames(const Result& result, const List& list, std::uint8_t board_by
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < kHead) return 0;
   const Bytes input{data, size};
-  const auto board_bytes =
-      static_cast<std::uint8_t>(kBoardWindow.count + input[1] % (kLongestReply - kBoardWindow.count));
-  const List list = listOf(input);
+  const Request asked = requestOf(input);
   const std::size_t chunk_count = std::min<std::size_t>(input[0] % 16, size - kHead);
   const Bytes chunks = input.subspan(kHead, chunk_count), rest = input.subspan(kHead + chunk_count);
   std::vector<std::uint8_t> stream{rest.begin(), rest.end()};
   if (input[0] < 0xC0) seal(stream);
 
-  const Result whole = decode(list, board_bytes, stream, {});
-  requireFrames(whole, list, board_bytes, stream);
-  const Result parts = decode(list, board_bytes, stream, chunks);
+  const Result whole = decode(asked, stream, {});
+  requireFrames(whole, asked, stream);
+  const Result parts = decode(asked, stream, chunks);
   require(parts.answered == whole.answered && parts.late == whole.late);
   require(parts.readings.board.answered == whole.readings.board.answered);
+  require(parts.readings.servos_answered == whole.readings.servos_answered);
   for (std::size_t joint = 0; joint < kJoints; ++joint)
     require(!whole.answered[joint] || parts.readings.servo[joint].position == whole.readings.servo[joint].position);
   return 0;

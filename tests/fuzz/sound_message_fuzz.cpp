@@ -1,4 +1,4 @@
-// Controller to sound program: what is read is written as the same bytes.
+// Between controller and sound program: what is read is written as the same, an event as the same bytes.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -11,8 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::span message{data, size};
   if (const auto order = decodeOrder(message)) {
     const Message again = encode(*order);
-    // A speed is a number with a fraction on the wire, and -0 is read as 0.
-    if (!decodeOrder(again) || again.size() > kLongestMessage || again.size() > size) std::abort();
+    // Not the same bytes: a whole speed is a number with a fraction on the wire, and -0 is read as 0.
+    if (decodeOrder(again) != order || again.size() > kLongestMessage || again.size() > size) std::abort();
   }
   if (const auto event = decodeEvent(message); event && !std::ranges::equal(encode(*event), message)) std::abort();
   return 0;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hil-mocks/fault.hpp"
+#include "hil-mocks/fault_script.hpp"
 
 namespace darwinop::hil {
 namespace {
@@ -28,6 +30,15 @@ std::vector<std::string> firstCells(std::string_view head) {
 TEST(FaultScriptDocs, TheTableListsEveryKindOnceInEnumOrder) {
   const std::vector<std::string> kinds{kFaultKindNames.begin(), kFaultKindNames.end()};
   EXPECT_EQ(firstCells("| Kind | Arguments |"), kinds);
+}
+
+TEST(FaultScriptFuzzer, BeginsWithEveryKind) {
+  std::ifstream seed{std::string{DARWINOP_DOCS} + "/../tests/fuzz/corpus/fault_script_fuzz/every_kind"};
+  const std::string script{std::istreambuf_iterator<char>{seed}, {}};
+  FaultKinds kinds;
+  for (const InjectedFault& fault : parseFaultScript(script, "every_kind"))
+    kinds.set(static_cast<std::size_t>(fault.kind));
+  EXPECT_TRUE(kinds.all()) << kinds;
 }
 
 }  // namespace

@@ -1,38 +1,12 @@
 // Faults of a virtual robot.
 #include <gtest/gtest.h>
 
-#include "bench.hpp"
+#include "fault_rig.hpp"
 #include "hil-mocks/random_fault.hpp"
-#include "hil-mocks/virtual_robot.hpp"
 #include "hil-mocks/wire_faults.hpp"
 
 namespace darwinop::hil {
 namespace {
-
-InjectedFault faultOf(FaultKind kind, Nanos at, Nanos lasts) {
-  InjectedFault fault;
-  fault.kind = kind;
-  fault.at = at;
-  fault.lasts = lasts;
-  return fault;
-}
-
-struct Robot : VirtualRobot {
-  explicit Robot(std::uint64_t seed = 1) : VirtualRobot{Bench::powered(), seed} {}
-
-  std::string send(const std::string& hex, Nanos wait = 5ms) {
-    receive(bytesOf(hex), now());
-    advance(now() + wait);
-    std::string all;
-    for (; !output().empty(); output().pop()) all += (all.empty() ? "" : " | ") + hexOf(output().front().bytes());
-    return all;
-  }
-  std::string readServo(const std::string& id, const std::string& address) {
-    return send(withChecksum("FF FF " + id + " 04 02 " + address + " 01"));
-  }
-};
-
-constexpr const char* kNeckPing = "FF FF 13 02 01 E9";
 
 TEST(Faults, DeadServoIsSilentForItsTime) {
   Robot robot;

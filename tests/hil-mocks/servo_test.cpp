@@ -64,6 +64,16 @@ TEST(Servo, LockedEepromIsUnlockedByAPowerCycleOnly) {
   EXPECT_EQ(bench.send(withChecksum("FF FF 13 04 03 05 00")), ok);
 }
 
+TEST(Servo, UnderTorqueItIgnoresWritesToItsEeprom) {
+  Bench bench;
+  bench.send(withChecksum("FF FF 13 04 03 18 01"));                                             // torque on
+  EXPECT_EQ(bench.send(withChecksum("FF FF 13 04 03 05 FA")), withChecksum("FF FF 13 02 08"));  // return delay: range
+  EXPECT_EQ(bench.send(withChecksum("FF FF 13 04 02 05 01")), withChecksum("FF FF 13 03 00 00"));
+  bench.send(withChecksum("FF FF 13 04 03 18 00"));
+  bench.send(withChecksum("FF FF 13 04 03 05 FA"));
+  EXPECT_EQ(bench.send(withChecksum("FF FF 13 04 02 05 01")), withChecksum("FF FF 13 03 00 FA"));
+}
+
 TEST(Servo, UnpluggedOneComesBackLimpWithPowerUpValues) {
   Bench bench;
   bench.send(kNeckGoal2400);
