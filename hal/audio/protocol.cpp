@@ -58,9 +58,9 @@ class Reader {
     good_ = good_ && value <= 1;
     return value == 1;
   }
-  std::string text() {
+  std::string text(std::size_t longest = kLongestText) {
     const auto size = number<std::uint32_t>();
-    good_ = good_ && size <= kLongestText;
+    good_ = good_ && size <= longest;
     const auto bytes = take(good_ ? size : 0);
     good_ = good_ && std::ranges::find(bytes, 0) == bytes.end();
     return {bytes.begin(), bytes.end()};
@@ -96,7 +96,7 @@ Message written(const Speak& speak) {
       .number(speak.id)
       .text(speak.text)
       .flag(speak.text_is_file)
-      .text(speak.voice.substr(0, 100))
+      .text(speak.voice.substr(0, kLongestVoice))
       .number(static_cast<double>(speak.words_per_minute))
       .number(speak.volume)
       .done();
@@ -135,7 +135,7 @@ std::optional<SoundOrder> readOrder(Reader& in) {
       speak.id = in.number<SoundId>();
       speak.text = in.text();
       speak.text_is_file = in.flag();
-      speak.voice = in.text();
+      speak.voice = in.text(kLongestVoice);
       speak.words_per_minute = static_cast<int>(in.between(80, 450));
       speak.volume = in.between(0, 1);
       return speak;

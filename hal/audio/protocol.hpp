@@ -15,11 +15,12 @@
 namespace darwinop::audio {
 
 inline constexpr std::size_t kLongestText = 32'000;     // bytes, about half an hour of speech
+inline constexpr std::size_t kLongestVoice = 100;       // bytes
 inline constexpr std::size_t kLongestMessage = 33'000;  // bytes; a socket buffer holds several
 
 using Message = std::vector<std::uint8_t>;
 
-/// Truncates texts longer than kLongestText.
+/// Truncates texts longer than kLongestText, and voices.
 [[nodiscard]] Message encode(const SoundOrder& order);
 [[nodiscard]] Message encode(const SoundEvent& event);
 

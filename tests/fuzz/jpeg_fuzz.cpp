@@ -1,4 +1,4 @@
-// JPEG from the network: an error, or a whole image, independent of earlier ones.
+// JPEG from the network: an error, or a whole image, independent of earlier ones. The library itself gives no coverage.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
