@@ -1,6 +1,7 @@
 // Sensor image after a cycle. A value not received is never zero: it is NaN or old, and every device has an age.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstdint>
@@ -13,7 +14,8 @@
 
 namespace darwinop {
 
-/// Age of a measurement in cycles. 0: received in the cycle of the image (for safety, the previous cycle).
+/// Age of a measurement in cycles. 0: received in the cycle of the image (for safety, the previous cycle). Periods in
+/// which the loop stood still count if it stood still for more than kAnswerPatience of them.
 struct Freshness {
   static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t age = kNever;
@@ -21,8 +23,8 @@ struct Freshness {
   [[nodiscard]] constexpr bool fresh() const { return age == 0; }
   [[nodiscard]] constexpr bool ever() const { return age != kNever; }
   constexpr void received() { age = 0; }
-  constexpr void missed() {
-    if (age < kNever - 1) ++age;
+  constexpr void missed(std::uint32_t cycles = 1) {
+    if (ever()) age += std::min(cycles, kNever - 1 - age);
   }
 };
 

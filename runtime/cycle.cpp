@@ -1,5 +1,7 @@
 #include "runtime/cycle.hpp"
 
+#include <algorithm>
+
 #include "runtime/merge.hpp"
 
 namespace darwinop::runtime {
@@ -9,12 +11,24 @@ Cycle::Cycle(ServoBus& bus, safety::Guard& guard, Nanos period) : bus_{bus}, gua
 }
 
 void Cycle::run(const Commands& asked, const CycleTime& time) noexcept {
+  noteStall(time);
   const SafeCommands safe = guard_.vet(asked, sensors_);  // every command passes through the safety layer
   bus_.write(safe);                                       // one SyncWrite; in rare cases two
   bus_.read(readings_);                                   // one BulkRead
   noteCommanded(safe, sensors_);                          // adds the goals sent to the sensor image
   merge(readings_, sensors_);  // devices without a reply keep their values; their age increases
   account(time);
+}
+
+/// While the loop stood still (a debugger, SIGSTOP, a paused virtual machine) servos may have restarted: what was read
+/// before is then as old as after an outage of the bus. A servo boots in 0.2 s, so one that restarts in a shorter stall
+/// misses a reply. Readings count from the start of their cycle, because a stall may lie between request and reply.
+void Cycle::noteStall(const CycleTime& time) noexcept {
+  const Nanos began = time.release + time.wake_latency;
+  const std::int64_t missed = (began - began_).count() / sensors_.period_ns - 1;
+  began_ = began;
+  if (sensors_.cycle == 0 || missed <= kAnswerPatience) return;
+  missCycles(static_cast<std::uint32_t>(std::min<std::int64_t>(missed, Freshness::kNever)), sensors_);
 }
 
 void Cycle::account(const CycleTime& time) noexcept {

@@ -32,12 +32,14 @@ class Cycle {
   [[nodiscard]] const Sensors& sensors() const noexcept { return sensors_; }
 
  private:
+  void noteStall(const CycleTime& time) noexcept;
   void account(const CycleTime& time) noexcept;
 
   ServoBus& bus_;
   safety::Guard& guard_;
   BusReadings readings_{};
   Sensors sensors_{};
+  Nanos began_{0};  // start of the last cycle
 };
 
 }  // namespace darwinop::runtime

@@ -68,6 +68,15 @@ void merge(const BusReadings& readings, Sensors& sensors) noexcept {
   sensors.silent = readings.silent;
 }
 
+void missCycles(std::uint32_t cycles, Sensors& sensors) noexcept {
+  for (JointSensors& joint : sensors.joint) {
+    joint.motion.missed(cycles);
+    joint.polled.missed(cycles);
+  }
+  sensors.board.motion.missed(cycles);
+  sensors.bus.missed(cycles);
+}
+
 void noteCommanded(const SafeCommands& sent, Sensors& sensors) noexcept {
   for (std::size_t i = 0; i < kJoints; ++i) {
     JointSensors& joint = sensors.joint[i];

@@ -113,7 +113,8 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H301", "A restarted servo jumps", "brief loss of plug or supply",
      "torque on only at the present position, with a speed limit", "taken over again",
      "hazard_reaction_test:Reaction.AServoThatRestartsIsTakenOverWhereItIs "
-     "safety_test:Recovery.AServoThatTheBusHasGivenUpGetsNoGoalsUntilItsPositionIsConfirmed"},
+     "safety_test:Recovery.AServoThatTheBusHasGivenUpGetsNoGoalsUntilItsPositionIsConfirmed "
+     "servo_hazards_test:Stall/StalledLoop.AServoThatRestartedMeanwhileGetsNoTorqueWithoutASpeedLimit/2"},
     {"H302", "A motor burns", "a servo pushes against a stop until overload shutdown",
      "routine writes do not switch it on again", "left out; other joints kneel",
      "hazard_reaction_test:Reaction.AnOverloadShutdownMakesItKneel "
@@ -273,6 +274,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "no torque without a person's act", "restarted servos are polled first; limp, latched",
      "servo_hazards_test:WithoutBoard/Outage.NoServoGetsTorqueAfterItBeforeAPersonActs/7 "
      "servo_hazards_test:WithoutBoard.AnInterruptionAfterTheDeathOfALoopThatHeldTheRobotIsARelease "
+     "servo_hazards_test:Stall/StalledLoopWithoutBoard.ASupplyThatWasInterruptedMeanwhileLeavesEveryJointLimp/0 "
      "hazard_reaction_test:ReactionWithoutBoard.AnInterruptedSupplyLeavesEveryJointLimp "
      "hazard_reaction_test:ReactionWithoutBoard.AnInterruptedSupplyInAKneelLeavesEveryJointLimp"},
     {"H412", "A person cannot stop the robot", "without a board there is no MODE button", "an operator can release it",

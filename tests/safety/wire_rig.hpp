@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "core/commands.hpp"
 #include "hal/cm730/bus.hpp"
@@ -53,7 +54,15 @@ struct WireRig {
     release += kPeriod;
     memory.advanceTo(release);
     ++commands.sequence;
-    loop.run(commands, {.release = release});
+    loop.run(commands, {.release = release, .wake_latency = std::exchange(late, Nanos{0})});
+  }
+  /// No cycle runs for so long. A loop that waits for a release wakes late; one that overruns skips releases.
+  void stall(Nanos lasts, bool wakes_late) {
+    memory.advanceTo(release + lasts);
+    if (wakes_late)
+      late = lasts - kPeriod;
+    else
+      release += lasts - kPeriod;
   }
   void run(int cycles) {
     for (int i = 0; i < cycles; ++i) cycle();
@@ -88,7 +97,7 @@ struct WireRig {
   safety::Guard guard{config};
   runtime::Cycle loop{bus, guard, kPeriod};
   Commands commands{};
-  Nanos release{0};
+  Nanos release{0}, late{0};
 };
 
 }  // namespace darwinop
