@@ -15,7 +15,7 @@ namespace {
 FileLock takeLease(const RuntimeFiles& files) {
   if (auto lease = FileLock::tryTake(files.drive_lock, static_cast<gid_t>(-1), FileOwner::kAny))
     return std::move(*lease);
-  throw std::runtime_error("another controller (pid " + std::to_string(FileLock::holder(files.drive_lock)) +
+  throw std::runtime_error("another controller (" + pidText(FileLock::holder(files.drive_lock)) +
                            ") drives this robot; end it first, or look on without driving: darwinop runtime --status");
 }
 

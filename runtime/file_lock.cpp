@@ -61,6 +61,11 @@ pid_t listedHolder(int fd) {
   return 0;
 }
 
+/// The kernel lists who took the lock, also after its end, while another process has the file open.
+pid_t ifAlive(pid_t pid) {
+  return pid > 0 && (kill(pid, 0) == 0 || errno == EPERM) ? pid : 0;
+}
+
 /// Tries a shared lock; closing the file releases it.
 bool isHeld(int fd) {
   return flock(fd, LOCK_SH | LOCK_NB) != 0;
@@ -77,23 +82,29 @@ std::optional<FileLock> FileLock::tryTake(const std::string& path, gid_t group, 
                                                 "user's runtime has ended, remove what is left of it: sudo rm " +
                                                     path
                                               : ""));
+  FileLock lock{std::move(*file)};
+  const int fd = lock.file_.fd();
   // A call of holder() in another process may hold it briefly.
-  for (int attempt = 0; flock(file->fd(), LOCK_EX | LOCK_NB) != 0; ++attempt) {
+  for (int attempt = 0; flock(fd, LOCK_EX | LOCK_NB) != 0; ++attempt) {
     if (errno != EINTR && (errno != EWOULDBLOCK || attempt == 20)) return std::nullopt;
     usleep(5'000);
   }
   const std::string pid = std::to_string(getpid()) + "\n";
-  if (ftruncate(file->fd(), 0) != 0 || pwrite(file->fd(), pid.data(), pid.size(), 0) < 0) errno = 0;  // optional
-  return FileLock{std::move(*file)};
+  if (ftruncate(fd, 0) != 0 || pwrite(fd, pid.data(), pid.size(), 0) < 0) errno = 0;  // optional
+  return lock;
+}
+
+std::string pidText(pid_t holder) {
+  return "pid " + (holder > 0 ? std::to_string(holder) : "unknown");
 }
 
 pid_t FileLock::holder(const std::string& path) try {
   const auto file = openShared(path, O_RDONLY, FileOwner::kAny);
   if (!file) return errno == EACCES ? -1 : 0;
   if (!isHeld(file->fd())) return 0;
-  if (const pid_t listed = listedHolder(file->fd()); listed > 0) return listed;
-  const pid_t pid = writtenPid(file->fd());
-  return pid > 0 ? pid : -1;  // -1: held, but the pid is not written yet
+  const pid_t listed = listedHolder(file->fd());
+  if (const pid_t pid = ifAlive(listed > 0 ? listed : writtenPid(file->fd())); pid > 0) return pid;
+  return isHeld(file->fd()) ? -1 : 0;  // -1: perhaps the pid is not written yet
 } catch (const std::runtime_error&) {
   return 0;  // not a file that tryTake() would have accepted
 }
@@ -103,10 +114,10 @@ pid_t FileLock::provenHolder(const std::string& path) {
   if (!file && errno == ENOENT) return 0;
   if (!file) throw std::runtime_error("cannot open " + path + ": " + std::strerror(errno) + "; ask as root: sudo ...");
   if (!isHeld(file->fd())) return 0;
-  if (const pid_t listed = listedHolder(file->fd()); listed > 0) return listed;
+  if (const pid_t listed = ifAlive(listedHolder(file->fd())); listed > 0) return listed;
   if (!isHeld(file->fd())) return 0;  // released meanwhile
   throw std::runtime_error("cannot find out which process holds " + path +
-                           ": /proc/locks does not list it; ask on the computer itself, not in a container");
+                           ": /proc/locks lists none that runs; ask on the computer itself, not in a container");
 }
 
 }  // namespace darwinop::runtime

@@ -1,4 +1,5 @@
-// Lock between processes; the kernel releases it when its holder ends, even by a crash.
+// Lock between processes; the kernel releases it when its holder ends, even by a crash. Children that it has forked do
+// not share it.
 #pragma once
 
 #include <sys/types.h>
@@ -7,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "hal/fork_guard.hpp"
 #include "runtime/shared_file.hpp"
 
 namespace darwinop::runtime {
@@ -20,8 +22,13 @@ class FileLock {
   static std::optional<FileLock> tryTake(const std::string& path, gid_t group = static_cast<gid_t>(-1),
                                          FileOwner owner = FileOwner::kGroup);
 
-  /// Pid of the holder; 0: not locked; -1: unknown (the file of another user). Does not affect the holder. For messages
-  /// only: where the kernel hides the pid, it is read from the file.
+  FileLock(FileLock&&) noexcept = default;
+  FileLock& operator=(FileLock&&) noexcept = default;
+  ~FileLock() { unguardFromForks(file_.fd()); }
+
+  /// Pid of the holder; 0: not locked; -1: unknown (the file of another user, or its holder has ended and left the lock
+  /// to another process). Does not affect the holder. For messages only: where the kernel hides the pid, it is read
+  /// from the file.
   static pid_t holder(const std::string& path);
 
   /// The same for sending signals: the file must belong to this user or root, and the pid must come from the kernel.
@@ -29,8 +36,11 @@ class FileLock {
   static pid_t provenHolder(const std::string& path);
 
  private:
-  explicit FileLock(Descriptor file) : file_{std::move(file)} {}
+  explicit FileLock(Descriptor file) : file_{std::move(file)} { guardFromForks(file_.fd()); }
   Descriptor file_;
 };
+
+/// "pid 7", or "pid unknown": of a holder, for messages.
+std::string pidText(pid_t holder);
 
 }  // namespace darwinop::runtime

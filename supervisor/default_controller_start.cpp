@@ -54,7 +54,7 @@ bool DefaultController::ready(const Sensors& seen, Nanos now) {
   if (folder().empty())
     return waitFor("none installed; select one with: darwinop install --controller DIR --make-default");
   if (const pid_t driver = runtime::FileLock::holder(files_.drive_lock); driver != 0)
-    return waitFor("waiting for the end of the controller that drives", " (pid " + std::to_string(driver) + ")");
+    return waitFor("waiting for the end of the controller that drives", " (" + runtime::pidText(driver) + ")");
   if (const Fault fault = safety::latchedFault(seen.safety.active); fault != Fault::kNone)
     return waitFor(messages::kWaitingForUser + std::string{row(fault).meaning} + "; " + messages::kHowToReset);
   if (seen.safety.state == darwinop::State::kOffline) {

@@ -23,7 +23,7 @@ runtime::FileLock claim(const std::string& path) {
   listenForOrders();  // before the lock makes this process visible to commands
   if (auto lock = runtime::FileLock::tryTake(path, static_cast<gid_t>(-1), runtime::FileOwner::kOwn))
     return std::move(*lock);
-  throw std::runtime_error("a supervisor is already running (pid " + std::to_string(runtime::FileLock::holder(path)) +
+  throw std::runtime_error("a supervisor is already running (" + runtime::pidText(runtime::FileLock::holder(path)) +
                            "); stop it with: darwinop supervisor --stop");
 }
 

@@ -63,10 +63,11 @@ std::string processName(const std::string& pid) {
 }
 
 /// Id of the process that has locked the port, otherwise of one that has it open: the robot behind a pty has it open as
-/// well. Empty: the descriptors of other users' processes are not readable.
+/// well. The first may have ended and left the lock to a process that it forked. Empty: the descriptors of other users'
+/// processes are not readable.
 std::string holder(const std::string& path) {
-  if (std::string pid = lockOwner(path); !pid.empty()) return pid;
   std::error_code error;
+  if (std::string pid = lockOwner(path); !pid.empty() && fs::exists("/proc/" + pid, error)) return pid;
   const std::string real = fs::canonical(path, error).string();
   if (error) return {};
   for (fs::directory_iterator it{"/proc", error}, end; !error && it != end; it.increment(error)) {

@@ -14,6 +14,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hal/fork_guard.hpp"
+
 namespace darwinop::cm730 {
 namespace {
 
@@ -75,9 +77,11 @@ OpenAttempt openSerial(const std::string& path) {
   if (fd < 0) return {-1, Step::kOpen, errno};
   const auto give_up = [fd](Step step) {
     const OpenAttempt failed{-1, step, errno};
+    unguardFromForks(fd);
     ::close(fd);
     return failed;
   };
+  guardFromForks(fd);
   if (::isatty(fd) == 0) return give_up(Step::kTerminal);
   // Lock first: the settings of a port that is in use must not change.
   if (!lock(fd)) return give_up(Step::kLock);
@@ -91,6 +95,7 @@ OpenAttempt openSerial(const std::string& path) {
 void closeSerial(int fd) {
   if (fd < 0) return;
   ::ioctl(fd, TIOCNXCL);
+  unguardFromForks(fd);
   ::close(fd);
 }
 

@@ -23,7 +23,8 @@ struct OpenAttempt {
 };
 
 /// Raw, 1 Mbaud, 8N1, no flow control, no hang-up on close; non-blocking reads, exclusive access, low latency if the
-/// driver supports it. A pty works. The caller closes `fd` with closeSerial(), which keeps these settings.
+/// driver supports it. A pty works. A forked child does not share it (fork_guard.hpp). The caller closes `fd` with
+/// closeSerial(), which keeps these settings.
 OpenAttempt openSerial(const std::string& path);
 void closeSerial(int fd);
 

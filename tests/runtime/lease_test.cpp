@@ -37,6 +37,38 @@ TEST(FileLock, IsFreeAgainWhenItsHolderIsKilled) {
   EXPECT_TRUE(FileLock::tryTake(folder / "lock").has_value());
 }
 
+/// Forks a process that sleeps; its id is written to the file.
+void forkSleeper(const std::string& file) {
+  static const Child sleeper{[] {}};
+  std::ofstream{file} << sleeper.pid();
+}
+
+TEST(FileLock, IsFreeAgainWhenItsHolderIsKilledAfterItHasForked) {
+  const TemporaryFolder folder;
+  Child other{[&] {
+    static const auto lock = FileLock::tryTake(folder / "lock");
+    forkSleeper(folder / "sleeper");
+  }};
+  EXPECT_EQ(FileLock::holder(folder / "lock"), other.pid()) << "the sleeper's end of the file changes nothing";
+  other.kill(SIGKILL);
+  EXPECT_TRUE(FileLock::tryTake(folder / "lock").has_value());
+  ::kill(std::stoi(textOf(folder / "sleeper")), SIGKILL);
+}
+
+TEST(FileLock, AHolderThatHasEndedIsNotNamed) {
+  const TemporaryFolder folder;
+  Child other{[&] {
+    const int fd = open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0660);
+    if (flock(fd, LOCK_EX) != 0) _exit(1);  // as in a process that shares the file in spite of all
+    forkSleeper(folder / "sleeper");
+  }};
+  EXPECT_EQ(FileLock::provenHolder(folder / "lock"), other.pid());
+  other.kill(SIGKILL);
+  EXPECT_EQ(FileLock::holder(folder / "lock"), -1);
+  EXPECT_THROW((void)FileLock::provenHolder(folder / "lock"), std::runtime_error);
+  ::kill(std::stoi(textOf(folder / "sleeper")), SIGKILL);
+}
+
 TEST(FileLock, IsGivenBackWithItsObject) {
   const TemporaryFolder folder;
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(FileLock::tryTake(folder / "lock").has_value());

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <termios.h>
@@ -18,6 +19,7 @@
 #include "hal/cm730/diagnosis/port_check.hpp"
 #include "hal/cm730/port_messages.hpp"
 #include "hal/cm730/pty.hpp"
+#include "hal/fork_guard.hpp"
 #include "runtime/child.hpp"
 #include "support/text_of.hpp"
 
@@ -137,6 +139,38 @@ TEST(OpenSerial, EscapesTheNameThatTheProcessAtThePortGaveItself) {
   EXPECT_THAT(said, testing::Not(HasSubstr("\x1b")));
 }
 
+/// As Python's multiprocessing does. The name of a process that has ended would be that of any other.
+TEST(OpenSerial, AForkedProcessDoesNotKeepThePort) {
+  const Pty pty;
+  const TemporaryFolder folder;
+  runtime::Child other{[&] {
+    (void)openSerial(pty.path());
+    static const runtime::Child sleeper{[] {}};
+    std::ofstream{folder / "sleeper"} << sleeper.pid();
+  }};
+  EXPECT_EQ(openSerial(pty.path()).fd, -1) << "still in use";
+  other.kill(SIGKILL);
+  const OpenFile port{openSerial(pty.path()).fd};
+  EXPECT_GE(port.get(), 0);
+  ::kill(std::stoi(textOf(folder / "sleeper")), SIGKILL);
+}
+
+TEST(OpenSerial, NamesAProcessThatLivesIfTheOneWithTheLockHasEnded) {
+  const Pty pty;
+  const TemporaryFolder folder;
+  runtime::Child other{[&] {
+    const int fd = ::open(pty.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (::flock(fd, LOCK_EX) != 0) ::_exit(1);
+    static const runtime::Child sleeper{[] {}};
+    std::ofstream{folder / "sleeper"} << sleeper.pid();
+  }};
+  const std::string ended = std::to_string(other.pid());
+  other.kill(SIGKILL);
+  EXPECT_THAT(explain(pty.path(), openSerial(pty.path())),
+              AllOf(HasSubstr(kPortInUse), testing::Not(HasSubstr("process " + ended))));
+  ::kill(std::stoi(textOf(folder / "sleeper")), SIGKILL);
+}
+
 TEST(OpenSerial, APortThatIsRequiredStaysFree) {
   const Pty pty;
   requirePort(pty.path());
@@ -224,6 +258,7 @@ TEST(OpenSerial, AnUnprivilegedUserCanReopenAPtyAfterItsUserWasKilled) {
   ASSERT_TRUE(nobody.ok());
   const OpenAttempt killed = openSerial(pty.path());
   ASSERT_GE(killed.fd, 0);
+  unguardFromForks(killed.fd);
   ::close(killed.fd);  // as the kernel does when the process is killed
   const OpenFile again{openSerial(pty.path()).fd};
   EXPECT_GE(again.get(), 0);
