@@ -27,11 +27,14 @@ RobotNotes ownNotes(const RuntimeFiles& files) {
   return notes;
 }
 
-/// Called before the loop starts: a robot that was released under an earlier daemon stays released.
-Exchange createExchange(const RuntimeFiles& files, gid_t group, bool released) {
-  Exchange exchange = Exchange::create(files.exchange, group);
-  exchange.ownBlock().released.store(released ? 1 : 0);
-  return exchange;
+/// A robot that was released under an earlier daemon stays released until a session begins, which may be before the
+/// first cycle.
+Exchange createExchange(const LoopConfig& config, const RuntimeFiles& files, gid_t group, bool released) {
+  return Exchange::create(files.exchange, group, [&](ExchangeBlock& block) {
+    block.info = describe(config);
+    block.session.store(released ? 1 : 0);
+    block.released.store(released ? 1 : 0);
+  });
 }
 
 LoopConfig afterAnother(LoopConfig config, const RobotNotes& notes) {
@@ -59,8 +62,8 @@ Daemon::Daemon(const LoopConfig& config, const RuntimeFiles& files, FileLock cla
     : files_{files},
       claim_{std::move(claim)},
       notes_{ownNotes(files)},
-      exchange_{createExchange(files, group, notes_.released())},
-      rest_{checked(config).safety, config.period},
+      exchange_{createExchange(checked(config), files, group, notes_.released())},
+      rest_{config.safety, config.period},
       host_{afterAnother(config, notes_), std::move(bus), exchange_, LoopStats::Timed::kYes, Recorder::Writer::kThread},
       driver_{host_.loop(), clock_, config.period, config.real_time} {}
 

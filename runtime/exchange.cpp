@@ -38,15 +38,16 @@ Exchange Exchange::embedded() {
   return path == nullptr || *path == '\0' ? inMemory() : createObservable(path);
 }
 
-Exchange Exchange::create(const std::string& path, gid_t group) {
-  return made(path, group, true);
+Exchange Exchange::create(const std::string& path, gid_t group, const std::function<void(ExchangeBlock&)>& fill) {
+  return made(path, group, true, fill);
 }
 
 Exchange Exchange::createObservable(const std::string& path, gid_t group) {
-  return made(path, group, false);
+  return made(path, group, false, {});
 }
 
-Exchange Exchange::made(const std::string& path, gid_t group, bool commands_in_file) {
+Exchange Exchange::made(const std::string& path, gid_t group, bool commands_in_file,
+                        const std::function<void(ExchangeBlock&)>& fill) {
   Exchange exchange;
   const std::uint32_t instance = newInstance();
   FreshFile block{path, 0640, group, sizeof(ExchangeBlock)};
@@ -64,6 +65,7 @@ Exchange Exchange::made(const std::string& path, gid_t group, bool commands_in_f
     exchange.private_commands_ = std::make_unique<CommandBlock>();
     exchange.commands_ = exchange.private_commands_.get();
   }
+  if (fill) fill(*exchange.block_);
   exchange.own_block_ = block.place();
   return exchange;
 }

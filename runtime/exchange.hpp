@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -78,7 +79,9 @@ class Exchange {
   static Exchange embedded();
 
   /// Creates the files `path` and `path`.commands. Existing ones are replaced; processes that map those keep them.
-  static Exchange create(const std::string& path, gid_t group = static_cast<gid_t>(-1));
+  /// `fill` writes what must be there before other processes can attach.
+  static Exchange create(const std::string& path, gid_t group = static_cast<gid_t>(-1),
+                         const std::function<void(ExchangeBlock&)>& fill = {});
   /// The same with the commands in private memory: other processes can observe but not drive.
   static Exchange createObservable(const std::string& path, gid_t group = static_cast<gid_t>(-1));
   /// Removes the files.
@@ -107,7 +110,8 @@ class Exchange {
 
  private:
   Exchange() = default;
-  static Exchange made(const std::string& path, gid_t group, bool commands_in_file);
+  static Exchange made(const std::string& path, gid_t group, bool commands_in_file,
+                       const std::function<void(ExchangeBlock&)>& fill);
 
   std::unique_ptr<ExchangeBlock> private_block_;
   std::unique_ptr<CommandBlock> private_commands_;

@@ -21,15 +21,6 @@ std::unique_ptr<Recorder> makeRecorder(const LoopConfig& config, Recorder::Write
   return std::make_unique<Recorder>(config.record_path, head, writer);
 }
 
-void fill(LoopInfo& info, const LoopConfig& config) {
-  info.period_ns = config.period.count();
-  info.pid = getpid();
-  setText(info.robot, sizeof info.robot, config.robot);
-  setText(info.port, sizeof info.port, config.port);
-  info.safety = safety::toSession(config.safety);
-  info.safety_named = static_cast<std::uint32_t>(config.safety.named.to_ulong());
-}
-
 }  // namespace
 
 const LoopConfig& checked(const LoopConfig& config) {
@@ -41,13 +32,24 @@ const LoopConfig& checked(const LoopConfig& config) {
   return config;
 }
 
+LoopInfo describe(const LoopConfig& config) {
+  LoopInfo info;
+  info.period_ns = config.period.count();
+  info.pid = getpid();
+  setText(info.robot, sizeof info.robot, config.robot);
+  setText(info.port, sizeof info.port, config.port);
+  info.safety = safety::toSession(config.safety);
+  info.safety_named = static_cast<std::uint32_t>(config.safety.named.to_ulong());
+  return info;
+}
+
 LoopHost::LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, const Exchange& exchange,
                    LoopStats::Timed timed, Recorder::Writer writer)
     : bus_{std::move(bus)},
       guard_{withPeriod(checked(config).safety, config.period)},
       recorder_{makeRecorder(config, writer)},
       loop_{*bus_, guard_, exchange, recorder_.get(), config.period, timed} {
-  fill(exchange.ownBlock().info, config);
+  exchange.ownBlock().info = describe(config);
 }
 
 }  // namespace darwinop::runtime

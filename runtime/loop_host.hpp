@@ -28,6 +28,9 @@ struct LoopConfig {
 /// Returns `config`. Throws std::runtime_error if the period is out of range.
 const LoopConfig& checked(const LoopConfig& config);
 
+/// What clients of the loop see of its settings.
+LoopInfo describe(const LoopConfig& config);
+
 class LoopHost {
  public:
   /// Throws std::runtime_error if the period is out of range or the recording cannot be written.

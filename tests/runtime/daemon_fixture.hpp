@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "child.hpp"
 #include "fake_bus.hpp"
@@ -31,6 +32,22 @@ inline constexpr int kLostAtRest = 3, kLeftStiff = 4;
 struct Cables {
   bool power, unplugged;
   double volt = 11.8;
+  std::chrono::milliseconds first_cycle{0};  // duration
+};
+
+/// Its first cycle takes longer.
+class LateBus final : public ServoBus {
+ public:
+  LateBus(std::unique_ptr<ServoBus> bus, std::chrono::milliseconds first) : bus_{std::move(bus)}, first_{first} {}
+  void write(const SafeCommands& commands) noexcept override {
+    std::this_thread::sleep_for(std::exchange(first_, std::chrono::milliseconds{0}));
+    bus_->write(commands);
+  }
+  void read(BusReadings& readings) noexcept override { bus_->read(readings); }
+
+ private:
+  std::unique_ptr<ServoBus> bus_;
+  std::chrono::milliseconds first_;
 };
 
 /// A daemon with a fake robot, 4 ms, in a child process.
@@ -45,7 +62,7 @@ class DaemonTest : public testing::Test {
     robot->unplugged = cables.unplugged;
     robot->volt = cables.volt;
     daemon = std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(),
-                                      std::make_unique<FakeBus>(robot));
+                                      std::make_unique<LateBus>(std::make_unique<FakeBus>(robot), cables.first_cycle));
     std::signal(SIGTERM, [](int) { end_requested = true; });
     std::thread{[&daemon, robot] {
       int status = 0;

@@ -52,6 +52,18 @@ TEST_F(DaemonTest, ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs
   EXPECT_THAT(daemonStatus(files_), ContainsRegex("faults +none\n"));
 }
 
+TEST_F(DaemonTest, ASessionThatBeginsBeforeTheFirstCycleEndsAnEarlierRelease) {
+  releaseRobot(files_);
+  ASSERT_TRUE(recorded(files_.released, true));
+  child_.kill(SIGKILL);
+  std::unique_ptr<Daemon> daemon;
+  const Child again{[&] { serve(files_, daemon, {.power = true, .unplugged = false, .first_cycle = 1000ms}); }};
+  DaemonLink link{files_};
+  ASSERT_EQ(link.sensors().cycle, 0U) << "too slow for this test";
+  drive(link, 0.1, stop_);
+  EXPECT_TRUE(recorded(files_.released, false));
+}
+
 TEST_F(DaemonTest, ARobotWhoseCableIsOutIsNotReportedAsReleased) {
   child_.kill(SIGKILL);
   std::unique_ptr<Daemon> daemon;

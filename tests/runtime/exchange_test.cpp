@@ -33,6 +33,15 @@ std::string whyRefused(const std::string& path) {
   return "accepted";
 }
 
+TEST(Exchange, IsFilledBeforeOtherProcessesCanAttach) {
+  const TemporaryFolder folder;
+  const Exchange loop = Exchange::create(folder / "x", static_cast<gid_t>(-1), [&](ExchangeBlock& block) {
+    EXPECT_THROW((void)Exchange::attach(folder / "x"), std::runtime_error);
+    block.released = 7;
+  });
+  EXPECT_EQ(Exchange::attach(folder / "x").block().released, 7U);
+}
+
 TEST(Exchange, IsOneMemoryForAllWhoAttach) {
   const TemporaryFolder folder;
   const Exchange loop = Exchange::create(folder / "x"), controller = Exchange::attach(folder / "x");
