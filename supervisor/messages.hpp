@@ -23,6 +23,10 @@ inline constexpr const char* kWaitingForUser = "waiting for user action: ";  // 
 inline constexpr const char* kHowToReset = "press START, or run: darwinop runtime --reset-faults";
 inline constexpr const char* kNotStarted = " not started: ";  // after the controller's name, before the reason
 
+// rescue.cpp: after the port
+inline constexpr const char* kUnplugged =
+    " is not the robot's USB adapter any more: plug its cable into the same socket as before";
+
 // supervisor.cpp, supervisor_runtime.cpp
 inline constexpr const char* kAfterKill =
     "not started: the last supervisor was killed or did not bring the robot to rest; start it with: darwinop "

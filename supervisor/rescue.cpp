@@ -2,12 +2,14 @@
 #include "supervisor/rescue.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <stdexcept>
 
 #include "runtime/daemon.hpp"
 #include "runtime/robot_notes.hpp"
 #include "supervisor/holder.hpp"
 #include "supervisor/journal.hpp"
+#include "supervisor/messages.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -26,7 +28,7 @@ runtime::LoopConfig loopConfig(const RobotSettings& robot, const connect::Opened
   return config;
 }
 
-/// The previous port, or its new name.
+/// The previous port, or its new name. Another robot's adapter may have its number by now.
 connect::OpenedBus openBus(const RobotSettings& robot, const runtime::RuntimeFiles& files) {
   const auto open = [&](const std::string& port) {
     connect::SerialRobot serial = robot.serial;
@@ -34,14 +36,15 @@ connect::OpenedBus openBus(const RobotSettings& robot, const runtime::RuntimeFil
     serial.before_servo_power = [&] { runtime::RobotNotes::noteServoPowerOff(files); };
     return connect::openSerialBus(serial, cm730::Purpose::kRescue);
   };
-  try {
-    return open(robot.serial.port);
-  } catch (const std::runtime_error&) {
-    if (!robot.identity) throw;
-    const auto others = cm730::siblings(robot.serial.port, robot.identity);
-    if (others.empty()) throw;
-    return open(others.front());
+  auto error = std::make_exception_ptr(std::runtime_error(robot.serial.port + messages::kUnplugged));
+  for (const std::string& port : cm730::portsOf(robot.serial.port, robot.identity)) {
+    try {
+      return open(port);
+    } catch (const std::runtime_error&) {
+      error = std::current_exception();
+    }
   }
+  std::rethrow_exception(error);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include "connect/controller_user.hpp"
 #include "connect/robot_file.hpp"
@@ -29,8 +30,12 @@ RobotSettings readRobotSettings() {
     robot.group = connect::runtimeGroup(file);
   } catch (const std::runtime_error&) {  // the runtime reports and rejects a missing group
   }
-  robot.identity = cm730::usbIdentity(robot.serial.port);
+  noteIdentity(robot);
   return robot;
+}
+
+void noteIdentity(RobotSettings& robot, const std::string& sys_tty) {
+  if (auto found = cm730::usbIdentity(robot.serial.port, sys_tty)) robot.identity = std::move(found);
 }
 
 }  // namespace darwinop::supervisor

@@ -13,4 +13,8 @@ void useRobotFileOf(const std::string& home);
 /// Throws std::runtime_error with file, line and expected value if the file is invalid.
 RobotSettings readRobotSettings();
 
+/// Called when the runtime has just opened the port, which need not have existed before; a port that has gone again
+/// changes nothing.
+void noteIdentity(RobotSettings& robot, const std::string& sys_tty = cm730::kSysTty);
+
 }  // namespace darwinop::supervisor

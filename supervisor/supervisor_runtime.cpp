@@ -59,6 +59,7 @@ void Supervisor::updateRuntime() {
     return rescue("runtime: hung, no cycle for " + std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
   if (state != RuntimeChild::State::kStarting) {
     if (phase_ == SupervisorPhase::kStarting) {
+      noteIdentity(settings_);
       controller_.startsFrom(safety::startPose(runtime_->safety()));
       onEvent(PhaseEvent::kFirstCycle, messages::kRuntimeReady);
       if (std::exchange(reset_asked_, false)) controller_.resetFaults();

@@ -55,6 +55,13 @@ std::vector<std::string> siblings(const std::string& path, const std::optional<U
   return found;
 }
 
+std::vector<std::string> portsOf(const std::string& path, const std::optional<UsbIdentity>& was,
+                                 const std::string& sys_tty) {
+  std::vector<std::string> found = siblings(path, was, sys_tty);
+  if (!was || usbIdentity(path, sys_tty) == was) found.insert(found.begin(), path);
+  return found;
+}
+
 std::optional<int> latencyTimer(const std::string& path, const std::string& sys_tty) {
   std::ifstream in{deviceFolder(path, sys_tty) + "latency_timer"};
   int ms = 0;

@@ -26,6 +26,10 @@ std::optional<UsbIdentity> usbIdentity(const std::string& path, const std::strin
 std::vector<std::string> siblings(const std::string& path, const std::optional<UsbIdentity>& was,
                                   const std::string& sys_tty = kSysTty);
 
+/// Ports that may be the device `was`, now or under its new number: `path` first, unless it is another device by now.
+std::vector<std::string> portsOf(const std::string& path, const std::optional<UsbIdentity>& was,
+                                 const std::string& sys_tty = kSysTty);
+
 /// An FTDI chip sends its buffer when 62 bytes are full or after this many ms; 16 by default.
 std::optional<int> latencyTimer(const std::string& path, const std::string& sys_tty = kSysTty);
 /// Returns false if not permitted or not available.

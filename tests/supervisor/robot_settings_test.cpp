@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "connect/robot_file.hpp"
 #include "runtime/environment.hpp"
+#include "supervisor/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::supervisor {
@@ -28,6 +31,35 @@ TEST(RobotSettings, AreThoseOfTheRobotFile) {
   EXPECT_TRUE(settings.serial.safety.absent[index(Joint::kNeck)]);
   EXPECT_EQ(settings.serial.offsets.servoTicks(Joint::kHead, Rad{0}), kTickCentre + 65);
   EXPECT_FALSE(settings.identity.has_value()) << "no USB device";
+}
+
+TEST(RobotSettings, HaveTheIdentityOfAPortThatCameLater) {
+  const TemporaryFolder sys;
+  RobotSettings settings = settingsOf("[Robot]\nport = /tmp/ttyUSB0\n");
+  noteIdentity(settings, sys / "tty");
+  EXPECT_FALSE(settings.identity.has_value());
+  const std::filesystem::path usb = sys / "1-1", port = usb / "1-1:1.0" / "ttyUSB0";
+  std::filesystem::create_directories(port);
+  std::ofstream{usb / "idVendor"} << "0403\n";
+  std::ofstream{usb / "idProduct"} << "6001\n";
+  std::ofstream{usb / "serial"} << "A900\n";
+  std::filesystem::create_directories(sys / "tty/ttyUSB0");
+  std::filesystem::create_directory_symlink(port, sys / "tty/ttyUSB0/device");
+  noteIdentity(settings, sys / "tty");
+  const cm730::UsbIdentity adapter{"0403", "6001", "A900"};
+  EXPECT_EQ(settings.identity, adapter);
+  std::filesystem::remove_all(sys / "tty/ttyUSB0");
+  noteIdentity(settings, sys / "tty");
+  EXPECT_EQ(settings.identity, adapter) << "it may come back";
+}
+
+TEST(Rescue, OpensNoPortThatIsAnotherDeviceByNow) {
+  const TemporaryFolder folder;
+  RobotSettings settings = settingsOf("[Robot]\nport = /dev/null\n");
+  settings.identity = cm730::UsbIdentity{"0403", "6001", "A900"};
+  Rescue rescue{settings, runtime::RuntimeFiles{folder / "runtime"}, false};
+  EXPECT_EQ(rescue.update(Nanos{1}), Rescue::Step::kOpening);
+  EXPECT_EQ(rescue.obstacle(), std::string{"/dev/null"} + messages::kUnplugged);
 }
 
 TEST(RobotSettings, DefaultToAStockRobot) {

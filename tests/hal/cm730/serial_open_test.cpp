@@ -347,6 +347,19 @@ TEST(UsbSerial, AnAdapterWithoutASerialNumberIsNotReplacedByAnotherOne) {
   EXPECT_THAT(siblings("/dev/ttyUSB0", ours, sys.root()), testing::ElementsAre("/dev/ttyUSB1"));
 }
 
+TEST(UsbSerial, APortIsOfferedUntilItIsKnownToBeAnotherDevice) {
+  FakeSys sys;
+  sys.plug("ttyUSB0", "0403", "OTHER");
+  sys.plug("ttyUSB1", "0403", "A900");
+  using testing::ElementsAre;
+  const UsbIdentity ours{"0403", "6001", "A900"};
+  EXPECT_THAT(portsOf("/dev/ttyUSB0", std::nullopt, sys.root()), ElementsAre("/dev/ttyUSB0"));
+  EXPECT_THAT(portsOf("/dev/ttyUSB1", ours, sys.root()), ElementsAre("/dev/ttyUSB1"));
+  EXPECT_THAT(portsOf("/dev/ttyUSB0", ours, sys.root()), ElementsAre("/dev/ttyUSB1")) << "another robot's";
+  sys.unplug("ttyUSB1");
+  EXPECT_THAT(portsOf("/dev/ttyUSB0", ours, sys.root()), testing::IsEmpty());
+}
+
 TEST(UsbSerial, AnAdapterWithASerialNumberIsTheSameInAnySocket) {
   FakeSys sys;
   sys.plugInto("1-1.2", "ttyUSB0", "0403", "A900");
