@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/text/number_text.hpp"
+#include "runtime/file_lock.hpp"
 #include "runtime/operator.hpp"
 #include "safety/fault_book.hpp"
 #include "supervisor/messages.hpp"
@@ -73,6 +74,9 @@ void DefaultController::onEnd(const process::Ending& ending, Nanos now) {
 
 void DefaultController::hold() {
   if (!may_hold_) return;
+  // Asked first: an attempt to take the lease waits for 0.1 s, in which nothing watches the runtime.
+  if (const pid_t driver = holder_ ? 0 : runtime::FileLock::holder(files_.drive_lock); driver != 0)
+    return once_.log("cannot hold the robot while another controller (" + runtime::pidText(driver) + ") drives it");
   try {
     if (!holder_) holder_ = std::make_unique<Holder>(files_);
     if (holder_->hold()) return;

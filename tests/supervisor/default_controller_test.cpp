@@ -13,6 +13,7 @@
 
 #include "core/conversions.hpp"
 #include "runtime/environment.hpp"
+#include "runtime/exchange.hpp"
 #include "runtime/file_lock.hpp"
 #include "safety/fault_book.hpp"
 #include "supervisor/messages.hpp"
@@ -218,6 +219,22 @@ TEST_F(Begin, TheSecondRestartsAfterAnotherController) {
   EXPECT_FALSE(runs());
   lookFor(60ms, sitting());
   EXPECT_TRUE(runs());
+}
+
+/// The supervisor's only thread watches the runtime as well.
+TEST_F(Begin, OneThatHasFailedCostsNoTimeWhileAnotherControllerDrives) {
+  letTheProgramDo("exit 1");
+  for (std::size_t crash = 0; crash < RestartPolicy::kCrashes; ++crash) {
+    lookFor(RestartPolicy::kPause + 1100ms, sitting());
+    lookUntilEnded(sitting());
+  }
+  ASSERT_THAT(status().state, HasSubstr(messages::kFailed));
+  const runtime::Exchange exchange = runtime::Exchange::create(files.exchange);
+  const auto loop = runtime::FileLock::tryTake(files.loop_lock), lease = runtime::FileLock::tryTake(files.drive_lock);
+  const auto begin = std::chrono::steady_clock::now();
+  lookFor(200ms, sitting());
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 200ms);
+  EXPECT_TRUE(controller.staysEnded());
 }
 
 TEST_F(Begin, WithoutADefaultControllerNothingStarts) {
