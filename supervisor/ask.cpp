@@ -3,9 +3,9 @@
 
 #include <signal.h>
 #include <sys/syscall.h>
-#include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -14,9 +14,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/text/number_text.hpp"
 #include "core/text/printable.hpp"
-#include "runtime/clock.hpp"
+#include "runtime/exchange.hpp"
 #include "runtime/file_lock.hpp"
+#include "runtime/rest.hpp"
+#include "safety/config.hpp"
 #include "supervisor/messages.hpp"
 #include "supervisor/orders.hpp"
 #include "supervisor/status.hpp"
@@ -27,8 +30,12 @@ namespace {
 // Same numbers on all architectures; older headers lack them.
 constexpr long kPidfdSendSignal = 424, kPidfdOpen = 434;
 
-// A controller gets 3 s to end, a crouch at the slowest usual speed takes 13 s, and two kill timeouts may follow.
+// A controller gets 3 s to end, a crouch at the usual gentle speed takes 13 s at most, and two kill timeouts may
+// follow.
 constexpr Nanos kPatience{60'000'000'000};
+// Beside a slow crouch.
+constexpr Nanos kMargin{20'000'000'000};
+constexpr Nanos kCheckInterval{20'000'000};
 
 pid_t runningOne(const runtime::RuntimeFiles& files) {
   return runtime::FileLock::provenHolder(SupervisorFiles{files}.lock);
@@ -54,15 +61,25 @@ void order(const runtime::RuntimeFiles& files, pid_t supervisor, int signal) {
                              "): " + std::strerror(errno) + "; retry with sudo");
 }
 
-bool becomesTrue(const std::function<bool()>& condition) {
-  const runtime::MonotonicClock clock;
-  const Nanos end = clock.now() + kPatience;
+bool becomesTrue(const std::function<bool()>& condition, Nanos patience, runtime::Clock& clock) {
+  const Nanos end = clock.now() + patience;
   while (!condition()) {
     if (clock.now() > end) return false;
-    const timespec pause{0, 20'000'000};
-    nanosleep(&pause, nullptr);
+    clock.sleepUntil(clock.now() + kCheckInterval);
   }
   return true;
+}
+
+/// Time in which a robot sits down, even with the lowest gentle_speed of the session that drives.
+Nanos timeToStop(const runtime::RuntimeFiles& files) {
+  Sensors seen;
+  try {
+    (void)runtime::Exchange::attach(files.exchange, runtime::Exchange::Access::kRead).block().sensors.read(seen);
+  } catch (const std::runtime_error&) {  // no loop runs, or this user may not look at it
+  }
+  const double speed = static_cast<double>(seen.safety.gentle_speed);
+  if (!(speed >= safety::kLeastGentleSpeed)) return kPatience;  // unknown
+  return std::max(kPatience, runtime::Rest::atMost(speed) + kMargin);
 }
 
 /// The last supervisor has recorded it. Prints why not: joints that may be under torque, or no such record.
@@ -93,11 +110,13 @@ int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function
   const std::uint32_t orders = before ? before->orders : 0;
   order(files, pid, signal);
   bool ended = false;
-  const bool carried_out = becomesTrue([&] {
+  const auto taken = [&] {
     ended = runningOne(files) != pid;
     const auto status = readStatus(path);
     return ended || (status && status->orders != orders && done(*status));
-  });
+  };
+  runtime::MonotonicClock clock;
+  const bool carried_out = becomesTrue(taken, kPatience, clock);
   if (ended) throw std::runtime_error(messages::kEndedBefore);
   if (!carried_out)
     throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
@@ -140,13 +159,19 @@ int printStatus(const runtime::RuntimeFiles& files) {
 }
 
 int stopSupervisor(const runtime::RuntimeFiles& files) {
+  runtime::MonotonicClock clock;
+  return stopSupervisor(files, clock);
+}
+
+int stopSupervisor(const runtime::RuntimeFiles& files, runtime::Clock& clock) {
   const pid_t pid = runningOne(files);
   if (pid == 0) return noneRuns(!hasRun(files) || robotIsAtRest(files) ? 0 : 1);
+  const Nanos patience = timeToStop(files);
   order(files, pid, SIGTERM);
   // The kernel releases the lock when the process is gone.
-  if (!becomesTrue([&] { return runningOne(files) != pid; }))
-    throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
-                             ") has not ended within a minute; its state: " + stateOf(files));
+  if (!becomesTrue([&] { return runningOne(files) != pid; }, patience, clock))
+    throw std::runtime_error("the supervisor (pid " + std::to_string(pid) + ") has not ended within " +
+                             text::inSeconds(patience) + "; its state: " + stateOf(files));
   std::cout << "the supervisor has ended\n";
   return robotIsAtRest(files) ? 0 : 1;
 }

@@ -8,13 +8,13 @@ others_ended=
 bring_to_rest() {
   [ -x "$home/current/bin/darwinop-supervisor" ] || return 0
   say "bringing the robot to rest"
-  within 90 "$home/current/bin/darwinop-supervisor" --stop >&2 </dev/null || {
+  within 240 "$home/current/bin/darwinop-supervisor" --stop >&2 </dev/null || {
     [ "$force" = 1 ] ||
       die "the supervisor did not bring the robot to rest, see above; nothing was changed. Restart the robot, or add --force"
     say "the robot may be under torque, see above: hold it; continuing because of --force"
   }
   # A unit that failed waits for its next automatic start, which would take back the version under test.
-  ! has_unit || within 100 systemctl stop darwinop.service || say "systemd did not stop darwinop.service; see 'systemctl status darwinop'"
+  ! has_unit || within 250 systemctl stop darwinop.service || say "systemd did not stop darwinop.service; see 'systemctl status darwinop'"
 }
 
 has_unit() { [ -d /run/systemd/system ] && [ -f "$(unit_file)" ] && command -v systemctl >/dev/null 2>&1; }

@@ -4,12 +4,18 @@
 #include <gmock/gmock.h>
 #include <sys/prctl.h>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "runtime/child.hpp"
+#include "runtime/exchange.hpp"
 #include "runtime/file_lock.hpp"
 #include "supervisor/messages.hpp"
 #include "supervisor/status.hpp"
@@ -18,6 +24,7 @@
 namespace darwinop::supervisor {
 namespace {
 
+using namespace std::chrono_literals;
 using testing::HasSubstr;
 
 class Ask : public testing::Test {
@@ -75,6 +82,43 @@ TEST_F(Ask, StopFailsIfAFolderHasTheNameOfTheRecord) {
   std::filesystem::create_directories(own_.status + "/full");
   EXPECT_EQ(stop(), 1);
   EXPECT_THAT(said_, HasSubstr(messages::kNoRecordOfRest + own_.status));
+}
+
+/// Stands still unless somebody sleeps; does something at a time.
+class Alarm final : public runtime::Clock {
+ public:
+  Alarm(Nanos at, std::function<void()> does) : at_{at}, does_{std::move(does)} {}
+  [[nodiscard]] Nanos now() const noexcept override { return now_; }
+  void sleepUntil(Nanos time) noexcept override {
+    now_ = time;
+    if (now_ >= at_) std::exchange(does_, [] {})();
+  }
+
+ private:
+  Nanos now_{0}, at_;
+  std::function<void()> does_;
+};
+
+TEST_F(Ask, StopWaitsAsLongAsTheRobotNeedsToSitDown) {
+  const runtime::Exchange loop = runtime::Exchange::create(files_.exchange);
+  for (const auto& [gentle_speed, ends, waits] : {std::tuple{1.194F, 55s, true}, std::tuple{1.194F, 70s, false},
+                                                  std::tuple{0.05F, 193s, true}, std::tuple{0.05F, 230s, false}}) {
+    Sensors seen;
+    seen.safety.gentle_speed = gentle_speed;
+    loop.ownBlock().sensors.publish(seen);
+    runtime::Child supervisor{[this] {
+      std::signal(SIGTERM, SIG_IGN);  // busy
+      static const auto lock = runtime::FileLock::tryTake(own_.lock);
+    }};
+    Alarm clock{ends, [&] { supervisor.kill(SIGKILL); }};
+    bool waited = true;
+    try {
+      EXPECT_EQ(stopSupervisor(files_, clock), 1) << "no record of rest";
+    } catch (const std::runtime_error&) {
+      waited = false;
+    }
+    EXPECT_EQ(waited, waits) << gentle_speed << " rad/s, " << ends.count() << " s";
+  }
 }
 
 TEST_F(Ask, StatusEscapesTheNameThatTheDriverGaveItself) {
