@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cstdint>
 #include <ctime>
+#include <filesystem>
+#include <iterator>
 #include <optional>
 #include <thread>
 
@@ -119,6 +121,30 @@ TEST(SerialPort, ReconnectsThroughARecreatedLink) {
   while (port.write(kBytes) == LineStatus::kLost && port.now() < limit) std::this_thread::yield();
   EXPECT_EQ(port.reconnects(), 1u);
   EXPECT_EQ(receive(after, kBytes.size()), std::vector<std::uint8_t>(kBytes.begin(), kBytes.end()));
+}
+
+std::size_t openFiles() {
+  const std::filesystem::directory_iterator files{"/proc/self/fd"};
+  return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
+TEST(SerialPort, LeavesNoDescriptorOpenWhenItReconnects) {
+  const TemporaryFolder folder;
+  const std::string link = folder / "robot";
+  std::optional<Pty> pty{link};
+  SerialPort port{link};
+  const std::size_t before = openFiles();
+  for (std::uint32_t i = 1; i <= 50; ++i) {
+    pty.reset();
+    pty.emplace(link);
+    const Nanos limit = port.now() + 10s;
+    while (port.reconnects() < i && port.now() < limit) {
+      (void)port.write(kBytes);
+      std::this_thread::yield();
+    }
+    ASSERT_EQ(port.reconnects(), i);
+  }
+  EXPECT_EQ(openFiles(), before);
 }
 
 TEST(SerialPort, AbortsAWriteThatIsNotRead) {
