@@ -141,8 +141,8 @@ int calibrateByHand(const CalibrateOptions& given) {
 }
 
 void describe(CLI::App& app, CalibrateOptions& a) {
-  app.add_option("--robot", a.robot, "serial port of the robot, or twin[:MODEL]; default: the port of robot.ini")
-      ->envname("DARWINOP_ROBOT");
+  app.add_option("--robot", a.robot,
+                 "serial port of the robot, or twin[:MODEL]; default: DARWINOP_ROBOT, else the port of robot.ini");
   app.add_option("--file", a.file, "robot.ini to read and write; default: the one that programs read");
   app.add_flag("--yes", a.yes, "ask nothing; twins only, because a person has to hold a robot");
   app.add_flag("--dry-run", a.dry_run, "measure and show, write nothing");
@@ -175,6 +175,8 @@ int command(int count, char** arguments) {
   by_hand.get_option("--yes")->group("");  // refused
   by_hand.add_option("JOINT", a.joints, "names of joints, e.g. Neck FootR")->required();
   if (const auto code = darwinop::app::parseArguments(app, count, arguments)) return *code;
+  // Not as the option's default: the library would set it for each subcommand, and the last one wins.
+  if (const char* usual = std::getenv("DARWINOP_ROBOT"); a.robot.empty() && usual != nullptr) a.robot = usual;
   endOnSignals();
   const int status = by_hand.parsed()  ? calibrateByHand(a)
                      : joints.parsed() ? calibrate::calibrateJoints(a)

@@ -59,7 +59,7 @@ void describe(CLI::App& app, Arguments& a) {
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   app.add_option("--device", a.device, "Path of the camera device")->capture_default_str();
-  app.add_option("--file", a.file, "Frame file (default: one in /dev/shm)");
+  app.add_option("--file", a.file, "Frame file to create, and to remove at the end (default: one in /dev/shm)");
   app.add_option("--fault", a.fault, "Fault of the camera, see docs/virtual-camera.md")
       ->check(CLI::IsMember(faults))
       ->capture_default_str();

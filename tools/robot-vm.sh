@@ -29,8 +29,11 @@ virtual_robot() {
 say() { printf '%s\n' "robot-vm: $*" >&2; }
 die() { say "$*"; exit 1; }
 
-# alive FILE: the process whose id FILE holds still runs, and file and process are ours.
-alive() { [ -s "$1" ] && [ -O "$1" ] && [ ! -L "$1" ] && [ -O "/proc/$(cat "$1")" ] && kill -0 "$(cat "$1")" 2>/dev/null; }
+# alive FILE: the process whose id FILE holds still runs, and file and process are ours: its command names our folder.
+alive() {
+  [ -s "$1" ] && [ -O "$1" ] && [ ! -L "$1" ] && [ -O "/proc/$(cat "$1")" ] && kill -0 "$(cat "$1")" 2>/dev/null &&
+    tr '\0' ' ' <"/proc/$(cat "$1")/cmdline" 2>/dev/null | grep -qF -- "$vm/"
+}
 
 # end FILE SIGNAL: signals that process and waits until it is gone.
 end() {

@@ -46,6 +46,7 @@ OpenedRobot openTwin(const std::string& model, const std::string& file) {
   runtime::LoopConfig config;
   config.safety = connect::safetyOn(out.file, heldRobot(), "darwinop calibrate");
   config.port = "twin in memory";
+  config.trunk_is_held = true;
   std::unique_ptr<Body> body = connect::makeTwin(model, connect::twinSeed());
   out.stand = std::make_unique<TwinClamp>(*body);
   out.link = connect::lockstepRobot(config, std::move(body), {out.file.offsets, out.file.imu});
@@ -70,11 +71,13 @@ OpenedRobot openRobot(const std::string& setting, const std::string& file, bool 
     throw std::runtime_error(runsHere(std::to_string(runtime::daemonPid(runtime::RuntimeFiles{}))));
   if (connect::loopIsElsewhere(robot)) throw std::runtime_error("--robot " + setting + messages::kOtherLoop);
   if (robot.kind == connect::RobotKind::kTwin) return openTwin(robot.model, file);
+  if (robot.kind == connect::RobotKind::kVirtual) throw std::runtime_error(messages::kNothingToCalibrate);
   if (unattended) throw std::runtime_error(messages::kNeedsHands);
   connect::ConnectRequest request;
   request.setting = setting;
   request.safety = heldRobot();
   request.config_file = "darwinop calibrate";
+  request.trunk_is_held = true;
   OpenedRobot out;
   if (robot.kind == connect::RobotKind::kSerial) out.file = connect::readRobotFile();
   out.stand = std::make_unique<OwnersHands>(std::cin, std::cout);

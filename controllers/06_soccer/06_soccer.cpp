@@ -42,7 +42,8 @@ struct Ball {
 class Player : public Robot {
  public:
   Player();
-  void play(double end);
+  /// False: it could not, or not any longer.
+  bool play(double end);
 
  private:
   bool advance();  // one time step; false: the end
@@ -172,17 +173,19 @@ void Player::getUpAfterAFall() {
   ++tries_;
 }
 
-void Player::play(double end) {
+bool Player::play(double end) {
   if (accelerometer_ == nullptr) {
     std::cerr << "This example needs an accelerometer to detect falls; servos without a board have none." << std::endl;
-    return;
+    return false;
   }
-  if (!gait_.isCorrectlyInitialized() || !motion_.isCorrectlyInitialized()) return;
+  if (!gait_.isCorrectlyInitialized() || !motion_.isCorrectlyInitialized()) return false;
+  bool plays = true;
   gait_.start();
   while (advance() && getTime() < end) {
     // On a side, or being carried.
     if (lies_ > 250 || tries_ > 3) {
       std::cout << "I cannot get up: help me." << std::endl;
+      plays = false;
       break;
     }
     if (on_front_ > 20 || on_back_ > 20) getUpAfterAFall();
@@ -195,6 +198,7 @@ void Player::play(double end) {
     if (ready_ > 10) kick();
   }
   gait_.stop();
+  return plays;
 }
 
 int main(int argc, char** argv) {
@@ -206,6 +210,5 @@ int main(int argc, char** argv) {
     return 2;
   }
   Player player;
-  player.play(seconds);
-  return EXIT_SUCCESS;
+  return player.play(seconds) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

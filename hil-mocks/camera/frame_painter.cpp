@@ -32,9 +32,20 @@ void check(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
 }
 
+/// A frame file that an earlier painter left may be replaced; anything else is somebody's.
+void requireReplaceable(const std::string& path) {
+  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd < 0 && errno == ENOENT) return;
+  std::uint32_t magic = 0;
+  const bool is_ours = fd >= 0 && read(fd, &magic, sizeof magic) == sizeof magic && magic == kFrameFileMagic;
+  if (fd >= 0) close(fd);
+  if (!is_ours) throw std::runtime_error(path + kNotAFrameFile);
+}
+
 }  // namespace
 
 FramePainter::FramePainter(std::string path) : path_{std::move(path)} {
+  requireReplaceable(path_);
   // Created under another name and renamed: no reader maps a partial file, and a camera with the old one keeps it.
   std::string name = path_ + ".XXXXXX";
   const int fd = mkostemp(name.data(), O_CLOEXEC);

@@ -17,11 +17,13 @@ struct PictureSize {
   bool operator==(const PictureSize&) const = default;
 };
 
+inline constexpr const char* kNotAFrameFile = " exists and is not a frame file; choose another name";
+
 /// Single painting thread; faults may be set by any thread. The destructor removes the file unless another painter
 /// replaced it; an open camera then keeps its last picture.
 class FramePainter {
  public:
-  explicit FramePainter(std::string path);  // replaces an existing file; throws std::runtime_error
+  explicit FramePainter(std::string path);  // replaces an older frame file; throws std::runtime_error
   ~FramePainter();
   FramePainter(const FramePainter&) = delete;
   FramePainter& operator=(const FramePainter&) = delete;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # robot_vm_pid_test.sh own|foreign: tools/robot-vm.sh signals a process only if its pid file and the process are its user's,
-# and the file is not a link. `foreign` needs root, which can become another user.
+# the file is not a link, and the process is one that it started. `foreign` needs root, which can become another user.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
 folder=$(mktemp -d)
@@ -42,6 +42,14 @@ case ${1:-} in
     nobody_is_signalled "a link"
     rm "$ROBOT_VM"/*.pid
     pid_files cp "$folder/elsewhere"
+    nobody_is_signalled "another program with the number of one that has ended"
+    kill -KILL "$process"
+    rm "$ROBOT_VM"/*.pid
+    bash -c 'exec -a "machine with $1/disk" sleep 600' - "$ROBOT_VM" &
+    process=$!
+    echo "$process" >"$folder/elsewhere"
+    pid_files cp "$folder/elsewhere"
+    until tr '\0' ' ' <"/proc/$process/cmdline" | grep -q disk; do sleep 0.05; done
     robot_vm status || wrong "a file of its own is not believed: $(cat "$folder/out")"
     robot_vm kill || wrong "$(cat "$folder/out")"
     ! runs || wrong "a process of its own was not ended"

@@ -68,5 +68,13 @@ TEST_F(CommandLine, ExamplesRefuseArgumentsThatTheyDoNotHave) {
     }
 }
 
+TEST_F(CommandLine, SoccerThatCannotBePlayedEndsWithAFailure) {
+  startVirtualRobot("", {"--board", "none"});
+  std::ofstream{file("robot.ini")} << "[Robot]\nboard = none\n";
+  const Outcome ended = shell("DARWINOP_ROBOT=" + port() + " DARWINOP_ROBOT_FILE=" + file("robot.ini") +
+                              " timeout 30 " DARWINOP_EXAMPLES "/06_soccer/06_soccer --seconds 1 </dev/null");
+  EXPECT_EQ(ended.status, 1) << ended.said;
+}
+
 }  // namespace
 }  // namespace darwinop

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "hal/replace_file.hpp"
 #include "hil-mocks/link_owner.hpp"
 #include "motion_messages.hpp"
+#include "runtime/environment.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/messages.hpp"
 #include "runtime/names.hpp"
@@ -57,6 +59,23 @@ TEST_F(CommandLine, CalibrateThatHasNowhereToWriteHasWrittenNothing) {
   EXPECT_EQ(nowhere.status, 1);
   EXPECT_THAT(nowhere.said, HasSubstr(calibrate::messages::kNothingWritten));
   EXPECT_EQ(call("calibrate imu --robot twin --yes --seconds 1 --dry-run").status, 0);
+}
+
+TEST_F(CommandLine, TheRobotThatCalibrateIsGivenWinsOverTheEnvironment) {
+  const runtime::Environment usual{"DARWINOP_ROBOT", "/nonexistent"};
+  EXPECT_EQ(call("calibrate imu --robot twin --yes --seconds 1 --dry-run").status, 0);
+  EXPECT_EQ(call("calibrate by-hand --robot twin Neck").status, 1);
+  const Outcome by_environment = call("calibrate imu");
+  EXPECT_EQ(by_environment.status, 2);
+  EXPECT_THAT(by_environment.said, HasSubstr("/nonexistent"));
+}
+
+TEST_F(CommandLine, CalibrateRefusesARobotThatNobodyCanTurn) {
+  std::ofstream{file("robot.ini")} << "[Offsets]\nNeck = 0.05\n";
+  const runtime::Environment own{"DARWINOP_ROBOT_FILE", file("robot.ini")};
+  const Outcome refused = call("calibrate by-hand --robot virtual Neck");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, HasSubstr(calibrate::messages::kNothingToCalibrate));
 }
 
 TEST_F(CommandLine, CtrlCDuringASweepEndsCalibrateAsStopped) {

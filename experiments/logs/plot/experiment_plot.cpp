@@ -189,8 +189,11 @@ const ExperimentPlot* experimentPlot(const logs::Log& log) {
   std::string name = log.headValue("experiment").value_or("");
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '_' || c == ' '; }, '-');
-  const auto plot = std::find_if(kPlots.begin(), kPlots.end(),
-                                 [&](const ExperimentPlot& p) { return name.find(p.word) != name.npos; });
+  // Whole words: "elbow" is no "bow". The release of a whole robot has its own columns.
+  if (name.starts_with("body-")) return nullptr;
+  const auto plot = std::find_if(kPlots.begin(), kPlots.end(), [&](const ExperimentPlot& p) {
+    return ("-" + name + "-").find("-" + std::string{p.word} + "-") != name.npos;
+  });
   return plot == kPlots.end() ? nullptr : &*plot;
 }
 

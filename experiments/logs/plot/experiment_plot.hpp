@@ -11,7 +11,7 @@
 namespace darwinop::plot {
 
 struct ExperimentPlot {
-  std::string_view word;  // the experiment's name contains it: "speed"
+  std::string_view word;  // a word of the experiment's name, which may have others: "speed"
   std::string_view title, x_label;
   /// Empty if the log lacks the data.
   std::vector<LogCurve> (*curves)(const logs::Log& log);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -122,6 +123,16 @@ TEST(FramePainter, RejectsPicturesOfWrongSize) {
   EXPECT_THROW(painter.paintYuyv({320, 240}, yuyv({320, 238}, 0)), std::invalid_argument);
   EXPECT_THROW(painter.paint({320, 240}, yuyv({320, 240}, 0)), std::invalid_argument);
   EXPECT_EQ(painter.painted(), 0u);
+}
+
+TEST(FramePainter, KeepsAFileThatIsSomebodyElses) {
+  const std::string path = ::testing::TempDir() + "darwinop_own_picture.png";
+  std::ofstream{path} << "a picture";
+  EXPECT_THROW(FramePainter{path}, std::runtime_error);
+  std::string kept;
+  std::getline(std::ifstream{path}, kept);
+  EXPECT_EQ(kept, "a picture");
+  std::filesystem::remove(path);
 }
 
 TEST(FramePainter, NamesAFileThatCannotBeCreated) {

@@ -1,4 +1,6 @@
 // Plots of the 2013 experiments from synthetic logs with known results.
+#include "experiments/logs/plot/experiment_plot.hpp"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -212,6 +214,18 @@ TEST(ExperimentPlot, OtherExperimentsShowTheJointsAndSensorsInTheirHeader) {
   ASSERT_EQ(figure.panels.size(), 2u);
   EXPECT_EQ(figure.panels[0].title, "Head");
   EXPECT_EQ(figure.panels[1].title, "gyro");
+}
+
+TEST(ExperimentPlot, IsChosenByWholeWordsOfTheName) {
+  const auto titleFor = [](const char* name) {
+    const auto* const plot = experimentPlot(
+        logs::parseLog(std::string{"# experiment: "} + name + "\ntime_s,Neck.position [rad]\n0,0\n", "l"));
+    return plot == nullptr ? "" : std::string{plot->title};
+  };
+  EXPECT_EQ(titleFor("bow_forward"), "accelerometer over ankle angle");
+  EXPECT_EQ(titleFor("my bow"), titleFor("bow_forward"));
+  EXPECT_EQ(titleFor("release"), "released arm");
+  for (const char* const other : {"elbow_ramp", "again", "body_release"}) EXPECT_EQ(titleFor(other), "") << other;
 }
 
 TEST(ExperimentPlot, ALogWithoutTheDataShowsDefaultCurvesAndANote) {
