@@ -43,8 +43,8 @@ std::string accountName(std::string_view key, std::string_view value, const char
 
 Nanos periodInMs(std::string_view key, std::string_view value) {
   const auto ms = text::numberFromText(value);
-  if (!ms || *ms < 8 || *ms > 1000 || *ms != std::floor(*ms))
-    refuse("Robot", key, value, "give a whole number of ms from 8 to 1000 (16, or 8 when only goals are sent)");
+  if (!ms || *ms < 8 || *ms > 50 || *ms != std::floor(*ms))
+    refuse("Robot", key, value, "give a whole number of ms from 8 to 50 (16, or 8 when only goals are sent)");
   return std::chrono::milliseconds{static_cast<int>(*ms)};
 }
 
