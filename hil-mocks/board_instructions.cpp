@@ -11,7 +11,7 @@ void VirtualBoard::execute(bool good_checksum) noexcept {
   const Bytes params = parser_.params();
   if (silenced_) return;
   ++counters_.frames;
-  drawDeafness();
+  drawUnreached();
   if (!good_checksum) ++counters_.bad_checksums;
   if (id != kBroadcastId) return executeUnicast(id, instruction, params, good_checksum);
   if (!good_checksum) return;
@@ -33,7 +33,7 @@ void VirtualBoard::forEachListener(std::uint8_t id, F&& action) noexcept {
   std::size_t count = 0;
   if (options_.board && (id == kBroadcastId || id == device_.id())) listeners[count++] = &device_;
   for (VirtualServo& s : servos_)
-    if (s.listens(now_) && !deaf_[static_cast<std::size_t>(&s - servos_.data())] &&
+    if (s.listens(now_) && !unreached_[static_cast<std::size_t>(&s - servos_.data())] &&
         (id == kBroadcastId || id == s.id()))
       listeners[count++] = &s;
   for (std::size_t i = 0; i < count; ++i) action(*listeners[i]);
@@ -57,8 +57,8 @@ void VirtualBoard::executeUnicast(std::uint8_t id, std::uint8_t instruction, Byt
   if (good_checksum) forEachListener(id, [&](BusDevice& device) { carryOut(device, instruction, params); });
 }
 
-void VirtualBoard::drawDeafness() noexcept {
-  for (std::size_t i = 0; i < kJoints; ++i) deaf_[i] = noise_[i] > 0 && random_.uniform() < noise_[i];
+void VirtualBoard::drawUnreached() noexcept {
+  for (std::size_t i = 0; i < kJoints; ++i) unreached_[i] = noise_[i] > 0 && random_.uniform() < noise_[i];
 }
 
 /// One byte of the answer of this servo.

@@ -29,7 +29,7 @@ enum class FaultKind : std::uint8_t {
   kBabble,   // unsolicited bytes
   kTwins,    // a second device with a servo's id
   kSag,      // voltage drop proportional to the servos' current
-  kNoise,    // on the servos' bus: a servo misses a request, or its answer is damaged before the next one hears it
+  kNoise,    // on the servos' bus: a servo misses a request, or its answer is damaged, also for those behind it
   kDrop,     // from here on: bytes between PC and board
   kCorrupt,
   kRepeat,

@@ -131,7 +131,7 @@ class VirtualBoard {
   void executeSyncWrite(Bytes params) noexcept;
   void startBulkRead(Bytes params) noexcept;
   void nextTurn() noexcept;
-  void drawDeafness() noexcept;
+  void drawUnreached() noexcept;
   void damageReply(std::uint8_t id) noexcept;
   void carryOut(BusDevice& device, std::uint8_t instruction, Bytes params) noexcept;
   void afterBoardWrite() noexcept;
@@ -174,7 +174,7 @@ class VirtualBoard {
   bool brown_out_ = false;
   std::array<Nanos, kJoints> boot_{};
   std::array<double, kJoints> noise_{};
-  std::bitset<kJoints> deaf_;  // to the present request
+  std::bitset<kJoints> unreached_;  // servos that miss the present request
   Rng random_{1};
   std::bitset<kJoints> twins_;
   int bulk_reads_to_miss_ = 0;

@@ -1,4 +1,4 @@
-// Faults on the servos' bus and of their supply: what one servo hears, and what those behind it do then.
+// Faults on the servos' bus and of their supply: what one servo receives, and what those behind it do then.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ TEST(Noise, ADamagedAnswerReachesThePcAndSilencesThoseBehindIt) {
     damaged += answers == 2 ? 1 : 0;
     EXPECT_LE(std::ranges::count(seen, ' '), std::ranges::count(all, ' '));
   }
-  EXPECT_NEAR(damaged, 50, 25) << "it hears half of the requests, and half of its answers are damaged";
+  EXPECT_NEAR(damaged, 50, 25) << "half of the requests reach it, and half of its answers are damaged";
 }
 
 TEST(Noise, AGoalForAllMissesOneServoOnly) {
@@ -60,7 +60,7 @@ TEST(Twins, GarbleASingleAnswerToo) {
   EXPECT_NE(robot.readServo("13", "24"), alone);
 }
 
-TEST(Supply, ServosAreOffWhileItIsTooLowAndForgetWhatTheyWereTold) {
+TEST(Supply, ServosAreOffWhileItIsTooLowAndReturnWithPowerUpValues) {
   Robot robot;
   const auto neck = [&] { return robot.board().servo(Joint::kNeck).state(); };
   robot.send(withChecksum("FF FF 13 04 03 18 01"));     // torque on

@@ -65,7 +65,7 @@ TEST_F(CommandLine, TheRobotThatCalibrateIsGivenWinsOverTheEnvironment) {
   const runtime::Environment usual{"DARWINOP_ROBOT", "/nonexistent"};
   EXPECT_EQ(call("calibrate imu --robot twin --yes --seconds 1 --dry-run").status, 0);
   EXPECT_EQ(call("calibrate by-hand --robot twin Neck").status, 1);
-  const Outcome by_environment = call("calibrate imu");
+  const Outcome by_environment = call("calibrate joints --dry-run");
   EXPECT_EQ(by_environment.status, 2);
   EXPECT_THAT(by_environment.said, HasSubstr("/nonexistent"));
 }
