@@ -23,8 +23,8 @@ inline constexpr double kLongestPredictionStep = 0.1;
 inline constexpr double kShortestPredictionStep = 0.2;
 /// Reweightings of large residuals. They converge in three or four.
 inline constexpr int kPredictionReweightings = 6;
-/// Standard deviations between two rivals from which an experiment decides, also if the bench is three times as noisy as
-/// the model: more adds nothing to its rank, so that the shorter of two such experiments comes first. Judgement.
+/// Standard deviations between two rivals from which an experiment decides, also if the bench is three times as noisy
+/// as the model: more adds nothing to its rank, so that the shorter of two such experiments comes first. Judgement.
 inline constexpr double kSurelySeparated = 10;
 /// Standard deviations from which an effect is certain to show: more adds nothing to an experiment's rank. A chance of
 /// 6e-7; no evidence yet for the rank.
