@@ -5,6 +5,12 @@
 #include "runtime/merge.hpp"
 
 namespace darwinop::runtime {
+namespace {
+
+/// A servo that restarts answers after about 0.2 s: in a shorter stall it misses a reply, which is noticed anyway.
+constexpr Nanos kSoonestAnswer{150'000'000};
+
+}  // namespace
 
 Cycle::Cycle(ServoBus& bus, safety::Guard& guard, Nanos period) : bus_{bus}, guard_{guard} {
   sensors_.period_ns = period.count();
@@ -21,13 +27,13 @@ void Cycle::run(const Commands& asked, const CycleTime& time) noexcept {
 }
 
 /// While the loop stood still (a debugger, SIGSTOP, a paused virtual machine) servos may have restarted: what was read
-/// before is then as old as after an outage of the bus. A servo boots in 0.2 s, so one that restarts in a shorter stall
-/// misses a reply. Readings count from the start of their cycle, because a stall may lie between request and reply.
+/// before is then as old as after an outage of the bus. Readings count from the start of their cycle, because a stall
+/// may lie between request and reply.
 void Cycle::noteStall(const CycleTime& time) noexcept {
-  const Nanos began = time.release + time.wake_latency;
-  const std::int64_t missed = (began - began_).count() / sensors_.period_ns - 1;
-  began_ = began;
-  if (sensors_.cycle == 0 || missed <= kAnswerPatience) return;
+  const Nanos gone = time.release + time.wake_latency - began_;
+  began_ += gone;
+  if (sensors_.cycle == 0 || gone < kSoonestAnswer) return;
+  const std::int64_t missed = std::max<std::int64_t>(gone.count() / sensors_.period_ns - 1, kAnswerPatience + 1);
   missCycles(static_cast<std::uint32_t>(std::min<std::int64_t>(missed, Freshness::kNever)), sensors_);
 }
 

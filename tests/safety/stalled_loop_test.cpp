@@ -54,7 +54,7 @@ TEST_P(StalledLoop, EveryReadingIsAsOldAsTheStall) {
 }
 
 TEST_P(StalledLoop, AShortOneInterruptsNothing) {
-  stall(96ms);
+  stall(112ms);
   for (int i = 0; i < 50; ++i) {
     rig.cycle();
     ASSERT_EQ(rig.state(), State::kDriven) << i;
