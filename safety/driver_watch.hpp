@@ -25,7 +25,8 @@ class DriverWatch {
     const bool alive = came_ || (obeyed_ && asked.sequence > sequence_);
     const bool by_driver = came_ || (same && asked.fault_resets != resets_);
     reset_asked_ = (by_driver && !asked.unattended) || asked.operator_resets != operator_resets_;
-    released_ = asked.operator_releases != operator_releases_;
+    // The loop lets no session pass that began before a release: one that comes in the same image began after it.
+    released_ = asked.operator_releases != operator_releases_ && !(came_ && !asked.unattended);
     operator_resets_ = asked.operator_resets;
     operator_releases_ = asked.operator_releases;
     if (came_ || same) {

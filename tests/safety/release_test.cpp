@@ -232,6 +232,18 @@ TEST(Release, AnOperatorsReleaseEndsTheSessionForGood) {
   EXPECT_TRUE(rig.reach(State::kDriven));
 }
 
+// A daemon's first cycle: the release is from before its start, and a controller has attached since.
+TEST(Release, ASessionThatBeganAfterItIsNotEndedByIt) {
+  Rig started_by_person, restarted;
+  started_by_person.commands.operator_releases = restarted.commands.operator_releases = 1;
+  started_by_person.newSession();
+  EXPECT_TRUE(started_by_person.reach(State::kDriven));
+  unattendedSession(restarted, false);
+  restarted.runFor(2);
+  EXPECT_TRUE(restarted.active(Fault::kReleasedByOperator)) << "no person has acted";
+  EXPECT_FALSE(anyTorque(restarted));
+}
+
 TEST(Start, APressThatBeganBeforeTheReleaseCountsForNothing) {
   Rig rig;
   rig.start();
