@@ -217,15 +217,15 @@ TEST(ExperimentPlot, OtherExperimentsShowTheJointsAndSensorsInTheirHeader) {
 }
 
 TEST(ExperimentPlot, IsChosenByWholeWordsOfTheName) {
-  const auto titleFor = [](const char* name) {
+  const auto title_for = [](const char* name) {
     const auto* const plot = experimentPlot(
         logs::parseLog(std::string{"# experiment: "} + name + "\ntime_s,Neck.position [rad]\n0,0\n", "l"));
     return plot == nullptr ? "" : std::string{plot->title};
   };
-  EXPECT_NE(titleFor("bow_forward"), "");
-  EXPECT_EQ(titleFor("my bow"), titleFor("bow_forward"));
-  EXPECT_NE(titleFor("release"), "");
-  for (const char* const other : {"elbow_ramp", "again", "body_release"}) EXPECT_EQ(titleFor(other), "") << other;
+  EXPECT_NE(title_for("bow_forward"), "");
+  EXPECT_EQ(title_for("my bow"), title_for("bow_forward"));
+  EXPECT_NE(title_for("release"), "");
+  for (const char* const other : {"elbow_ramp", "again", "body_release"}) EXPECT_EQ(title_for(other), "") << other;
 }
 
 TEST(ExperimentPlot, ALogWithoutTheDataShowsDefaultCurvesAndANote) {
