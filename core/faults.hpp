@@ -67,9 +67,9 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "the CM-730 board, or without one the servos, have not answered for more than 5 cycles",
      "check the USB cable and the robot's power switch; the runtime resumes when the board replies", Checked::kAlways,
      "",
-     "A loop that stood still for so long counts too. Powered servos hold their last goal. At the first answer joints "
-     "continue gently from where they are; without a "
-     "controller on_exit applies."},
+     "A loop that stood still for 0.15 s counts as well. Powered servos hold their last goal. At the first answer "
+     "joints "
+     "continue gently from where they are; without a controller on_exit applies."},
     {Fault::kBoardReset, Reaction::kLimp, true, true, "board_reset",
      "servo power was lost while the robot was under torque: RESET was pressed or the supply dipped",
      "hold the robot, then press START or start the controller again; if RESET was not pressed, check battery and "

@@ -14,8 +14,8 @@
 
 namespace darwinop {
 
-/// Age of a measurement in cycles. 0: received in the cycle of the image (for safety, the previous cycle). Periods in
-/// which the loop stood still count if it stood still for more than kAnswerPatience of them.
+/// Age of a measurement in cycles. 0: received in the cycle of the image (for safety, the previous cycle). The periods
+/// in which the loop stood still count as cycles if it stood still for 0.15 s or longer (runtime/cycle.cpp).
 struct Freshness {
   static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t age = kNever;

@@ -76,7 +76,7 @@ void DefaultController::hold() {
   if (!may_hold_) return;
   // Asked first: an attempt to take the lease waits for 0.1 s, in which nothing watches the runtime.
   if (const pid_t driver = holder_ ? 0 : runtime::FileLock::holder(files_.drive_lock); driver != 0)
-    return once_.log("cannot hold the robot while another controller (" + runtime::pidText(driver) + ") drives it");
+    return once_.log(messages::kOtherDrives + runtime::pidText(driver));
   try {
     if (!holder_) holder_ = std::make_unique<Holder>(files_);
     if (holder_->hold()) return;
@@ -86,7 +86,7 @@ void DefaultController::hold() {
     log("default controller: " + state_text_);
     holder_.reset();
   } catch (const std::runtime_error& error) {
-    once_.log(std::string{"cannot hold the robot yet: "} + error.what());
+    once_.log(std::string{messages::kCannotHold} + error.what());
   }
 }
 

@@ -23,6 +23,10 @@ inline constexpr const char* kWaitingForUser = "waiting for user action: ";  // 
 inline constexpr const char* kHowToReset = "press START, or run: darwinop runtime --reset-faults";
 inline constexpr const char* kNotStarted = " not started: ";  // after the controller's name, before the reason
 
+// default_controller.cpp: before the pid, and before what the attempt to take the lease reports
+inline constexpr const char* kOtherDrives = "cannot hold the robot, which another controller has: ";
+inline constexpr const char* kCannotHold = "cannot hold the robot yet: ";
+
 // rescue.cpp: after the port
 inline constexpr const char* kUnplugged =
     " is not the robot's USB adapter any more: plug its cable into the same socket as before";

@@ -24,7 +24,8 @@ inline constexpr const char* kOtherLoop =
     ": the loop of this robot runs elsewhere and reads its own robot.ini; stop the runtime and name the serial port, "
     "on the robot's computer or with the CM-730's USB cable in this one";
 inline constexpr const char* kNothingToCalibrate =
-    "--robot virtual: servos that nobody can turn show nothing to calibrate; try it with --robot twin --file FILE";
+    "--robot virtual: nobody can turn its joints, so there is nothing to calibrate; try it with --robot twin --file "
+    "FILE";
 inline constexpr const char* kNeedsHands = "--yes is for twins: a person has to hold this robot in each posture";
 inline constexpr const char* kYesByHand = "by-hand asks for each joint: leave --yes out";
 inline constexpr const char* kNoJointRead = "no joint was read; nothing written";

@@ -80,10 +80,7 @@ TEST(Supply, ServosAreOffWhileItIsTooLowAndReturnWithPowerUpValues) {
 
 TEST(Faults, ABootTimeIsThatOfOneStart) {
   Robot robot;
-  InjectedFault dead = faultOf(FaultKind::kDead, 10ms, 30ms);
-  dead.joints.set(index(Joint::kNeck));
-  dead.boot = 100ms;
-  robot.faults().add(dead);
+  robot.faults().add(neckWithoutSupply());
   robot.faults().add(faultOf(FaultKind::kReset, 300ms, 0ms));
   robot.advance(310ms);
   robot.send("FF FF C8 04 03 18 01 17");  // servo power on

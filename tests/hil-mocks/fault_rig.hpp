@@ -14,6 +14,14 @@ inline InjectedFault faultOf(FaultKind kind, Nanos at, Nanos lasts) {
   return fault;
 }
 
+/// The neck is unplugged from 10 to 40 ms, and boots for 100 ms then.
+inline InjectedFault neckWithoutSupply() {
+  InjectedFault dead = faultOf(FaultKind::kDead, 10ms, 30ms);
+  dead.joints.set(index(Joint::kNeck));
+  dead.boot = 100ms;
+  return dead;
+}
+
 struct Robot : VirtualRobot {
   explicit Robot(std::uint64_t seed = 1) : VirtualRobot{Bench::powered(), seed} {}
 

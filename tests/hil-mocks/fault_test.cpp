@@ -45,10 +45,7 @@ TEST(Faults, AScriptMayHaveAHundredThousand) {
 
 TEST(Faults, AServoBootsAfterASupplyLoss) {
   Robot robot;
-  InjectedFault dead = faultOf(FaultKind::kDead, 10ms, 30ms);
-  dead.joints.set(index(Joint::kNeck));
-  dead.boot = 100ms;
-  robot.faults().add(dead);
+  robot.faults().add(neckWithoutSupply());
   robot.advance(130ms);
   EXPECT_EQ(robot.send(kNeckPing), "");
   robot.advance(141ms);

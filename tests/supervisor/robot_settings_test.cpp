@@ -11,6 +11,7 @@
 #include "runtime/environment.hpp"
 #include "supervisor/messages.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/usb_tree.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -34,22 +35,16 @@ TEST(RobotSettings, AreThoseOfTheRobotFile) {
 }
 
 TEST(RobotSettings, HaveTheIdentityOfAPortThatCameLater) {
-  const TemporaryFolder sys;
+  UsbTree sys;
   RobotSettings settings = settingsOf("[Robot]\nport = /tmp/ttyUSB0\n");
-  noteIdentity(settings, sys / "tty");
+  noteIdentity(settings, sys.root());
   EXPECT_FALSE(settings.identity.has_value());
-  const std::filesystem::path usb = sys / "1-1", port = usb / "1-1:1.0" / "ttyUSB0";
-  std::filesystem::create_directories(port);
-  std::ofstream{usb / "idVendor"} << "0403\n";
-  std::ofstream{usb / "idProduct"} << "6001\n";
-  std::ofstream{usb / "serial"} << "A900\n";
-  std::filesystem::create_directories(sys / "tty/ttyUSB0");
-  std::filesystem::create_directory_symlink(port, sys / "tty/ttyUSB0/device");
-  noteIdentity(settings, sys / "tty");
+  sys.plug("ttyUSB0", "0403", "A900");
+  noteIdentity(settings, sys.root());
   const cm730::UsbIdentity adapter{"0403", "6001", "A900"};
   EXPECT_EQ(settings.identity, adapter);
-  std::filesystem::remove_all(sys / "tty/ttyUSB0");
-  noteIdentity(settings, sys / "tty");
+  sys.unplug("ttyUSB0");
+  noteIdentity(settings, sys.root());
   EXPECT_EQ(settings.identity, adapter) << "it may come back";
 }
 

@@ -12,7 +12,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 
@@ -30,7 +29,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 using Step = OpenAttempt::Step;
-namespace fs = std::filesystem;
 
 class OpenFile {
  public:
@@ -283,123 +281,6 @@ TEST(PortMemory, NeverFollowsAStaleLink) {
   const Pty somebodys_terminal{link};
   EXPECT_EQ(PortMemory{link}.reopen(), -1);
   EXPECT_EQ(PortMemory{somebodys_terminal.path()}.reopen(), -1);
-}
-
-/// A copy of the sysfs tree of USB adapters.
-class FakeSys {
- public:
-  void plug(const std::string& tty, const std::string& vendor, const std::string& serial, int latency = 16) {
-    plugInto("1-1." + serial, tty, vendor, serial, latency);
-  }
-  /// Without a serial number there is no file for it.
-  void plugInto(const std::string& socket, const std::string& tty, const std::string& vendor = "0403",
-                const std::string& serial = "", int latency = 16) {
-    const fs::path usb = fs::path{folder_ / "devices"} / socket;
-    const fs::path port = usb / (socket + ":1.0") / tty;
-    fs::create_directories(port);
-    std::ofstream{usb / "idVendor"} << vendor << '\n';
-    std::ofstream{usb / "idProduct"} << "6001\n";
-    if (!serial.empty()) std::ofstream{usb / "serial"} << serial << '\n';
-    std::ofstream{port / "latency_timer"} << latency << '\n';
-    fs::create_directories(fs::path{root()} / tty);
-    fs::create_directory_symlink(port, fs::path{root()} / tty / "device");
-  }
-  void unplug(const std::string& tty) { fs::remove_all(fs::path{root()} / tty); }
-  [[nodiscard]] std::string root() const { return folder_ / "tty"; }
-
- private:
-  TemporaryFolder folder_;
-};
-
-TEST(UsbSerial, IdentifiesADeviceByVendorProductAndSerialNumber) {
-  FakeSys sys;
-  sys.plug("ttyUSB0", "0403", "A900");
-  const auto identity = usbIdentity("/dev/ttyUSB0", sys.root());
-  ASSERT_TRUE(identity);
-  EXPECT_EQ(*identity, (UsbIdentity{"0403", "6001", "A900"}));
-  EXPECT_FALSE(usbIdentity("/dev/ttyUSB1", sys.root()));
-}
-
-TEST(UsbSerial, OnlyTheSameDeviceReplacesALostOne) {
-  FakeSys sys;
-  sys.plug("ttyUSB1", "0403", "A900");
-  sys.plug("ttyUSB2", "0403", "OTHER");
-  sys.plug("ttyUSB3", "067b", "B1");
-  using testing::ElementsAre;
-  EXPECT_THAT(siblings("/dev/ttyUSB0", UsbIdentity{"0403", "6001", "A900"}, sys.root()), ElementsAre("/dev/ttyUSB1"));
-  EXPECT_THAT(siblings("/dev/ttyUSB0", std::nullopt, sys.root()), testing::IsEmpty()) << "none is known to be it";
-}
-
-TEST(UsbSerial, AnAdapterWithoutASerialNumberIsNotReplacedByAnotherOne) {
-  FakeSys sys;
-  sys.plugInto("1-1.2", "ttyUSB0");
-  sys.plugInto("1-1.3", "ttyUSB1");
-  const auto ours = usbIdentity("/dev/ttyUSB0", sys.root());
-  ASSERT_TRUE(ours);
-  EXPECT_THAT(siblings("/dev/ttyUSB0", ours, sys.root()), testing::IsEmpty());
-  EXPECT_NE(usbIdentity("/dev/ttyUSB1", sys.root()), ours);
-
-  sys.unplug("ttyUSB0");
-  sys.unplug("ttyUSB1");
-  sys.plugInto("1-1.3", "ttyUSB0");  // the other one gets the number
-  EXPECT_NE(usbIdentity("/dev/ttyUSB0", sys.root()), ours);
-  sys.plugInto("1-1.2", "ttyUSB1");  // ours comes back under another number, in the same socket
-  EXPECT_THAT(siblings("/dev/ttyUSB0", ours, sys.root()), testing::ElementsAre("/dev/ttyUSB1"));
-}
-
-TEST(UsbSerial, APortIsOfferedUntilItIsKnownToBeAnotherDevice) {
-  FakeSys sys;
-  sys.plug("ttyUSB0", "0403", "OTHER");
-  sys.plug("ttyUSB1", "0403", "A900");
-  using testing::ElementsAre;
-  const UsbIdentity ours{"0403", "6001", "A900"};
-  EXPECT_THAT(portsOf("/dev/ttyUSB0", std::nullopt, sys.root()), ElementsAre("/dev/ttyUSB0"));
-  EXPECT_THAT(portsOf("/dev/ttyUSB1", ours, sys.root()), ElementsAre("/dev/ttyUSB1"));
-  EXPECT_THAT(portsOf("/dev/ttyUSB0", ours, sys.root()), ElementsAre("/dev/ttyUSB1")) << "another robot's";
-  sys.unplug("ttyUSB1");
-  EXPECT_THAT(portsOf("/dev/ttyUSB0", ours, sys.root()), testing::IsEmpty());
-}
-
-TEST(UsbSerial, AnAdapterWithASerialNumberIsTheSameInAnySocket) {
-  FakeSys sys;
-  sys.plugInto("1-1.2", "ttyUSB0", "0403", "A900");
-  sys.plugInto("1-1.3", "ttyUSB1", "0403", "A900");
-  EXPECT_EQ(usbIdentity("/dev/ttyUSB0", sys.root()), usbIdentity("/dev/ttyUSB1", sys.root()));
-}
-
-TEST(UsbSerial, ReadsAndSetsTheLatencyTimer) {
-  FakeSys sys;
-  sys.plug("ttyUSB0", "0403", "A900", 16);
-  EXPECT_EQ(latencyTimer("/dev/ttyUSB0", sys.root()), 16);
-  EXPECT_TRUE(setLatencyTimer("/dev/ttyUSB0", 1, sys.root()));
-  EXPECT_EQ(latencyTimer("/dev/ttyUSB0", sys.root()), 1);
-  EXPECT_FALSE(setLatencyTimer("/dev/ttyUSB5", 1, sys.root()));
-}
-
-TEST(CandidatePorts, AreTheSortedUsbSerialPorts) {
-  const TemporaryFolder dev;
-  for (const char* name : {"ttyUSB1", "ttyS0", "ttyACM0", "ttyUSB0", "null"}) std::ofstream{dev / name};
-  const std::string at = dev / "";
-  EXPECT_THAT(candidatePorts(dev / ""), testing::ElementsAre(at + "ttyACM0", at + "ttyUSB0", at + "ttyUSB1"));
-}
-
-TEST(ChoosePort, UsesTheRequestedPortElseTheFirstOne) {
-  EXPECT_EQ(choosePort("/tmp/robot", {"/dev/ttyUSB3"}), "/tmp/robot");
-  EXPECT_EQ(choosePort("", {"/dev/ttyUSB3", "/dev/ttyUSB4"}), "/dev/ttyUSB3");
-  EXPECT_EQ(choosePort("", {}), "/dev/ttyUSB0");
-  EXPECT_THROW(choosePort("tcp://robot", {}), std::runtime_error);
-}
-
-TEST(ChoosePort, ReportsARemedyForARobotWithoutAPort) {
-  const auto error = [](const char* asked) -> std::string {
-    try {
-      return choosePort(asked, {});
-    } catch (const std::runtime_error& wrong) {
-      return wrong.what();
-    }
-  };
-  EXPECT_THAT(error("runtime"), HasSubstr("runtime --status"));
-  EXPECT_THAT(error("virtual"), HasSubstr("virtual-robot`"));
 }
 
 TEST(OpenSerial, DistinguishesTemporaryFromPermanentErrors) {
