@@ -60,6 +60,9 @@ inline constexpr const char* kReleasedInSilence =
 inline constexpr const char* kNoPythonModules = "this build has no Python modules: there is no ";  // then the folder
 inline constexpr const char* kNoPython = "no Python loads the modules in ";                        // then the folder
 
+// recorder.cpp
+inline constexpr const char* kRowsLost = " rows: the disk was too slow; record to another one";  // after their number
+
 // recording_file.cpp
 inline constexpr const char* kRecordingExists = " exists; give another file with --record";  // after the path
 inline constexpr const char* kNotARecording =

@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "runtime/log_columns.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/recording_file.hpp"
 #include "runtime/version.hpp"
 
@@ -83,8 +84,10 @@ Recorder::~Recorder() {
   stop_.store(true, std::memory_order_relaxed);
   if (thread_.joinable()) thread_.join();
   drain();
-  if (const std::uint32_t lost = ring_->dropped(); lost != 0)
+  if (const std::uint32_t lost = ring_->dropped(); lost != 0) {
     put(kLostRows + std::to_string(lost) + " (the disk was too slow)\n");
+    std::cerr << "the recording " << path_ << " lacks " << lost << messages::kRowsLost << '\n';
+  }
   put(kEndOfRecording);
   if (!failed_) check(file_.close());
 }

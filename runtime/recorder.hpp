@@ -14,9 +14,6 @@
 
 namespace darwinop::runtime {
 
-/// Comment line before the number of lost rows; experiments/logs reads it.
-inline constexpr const char* kLostRows = "# lost rows: ";
-
 /// Header of a recording.
 struct LogHead {
   std::string robot = "darwin-op";

@@ -1,6 +1,6 @@
 #include "runtime/recording_file.hpp"
 
-#include <cstring>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -16,6 +16,16 @@ bool has(const std::string& path, std::ios::seekdir origin, std::streamoff offse
   std::ifstream file{path, std::ios::binary};
   file.seekg(offset, origin);
   return file.read(found.data(), static_cast<std::streamsize>(found.size())) && found == text;
+}
+
+/// Longer than the two last lines.
+std::string lastBytes(const std::string& path) {
+  constexpr std::streamoff kMost = 200;
+  std::ifstream file{path, std::ios::binary | std::ios::ate};
+  const std::streamoff size = std::max<std::streamoff>(file.tellg(), 0);
+  std::string end(static_cast<std::size_t>(std::min(size, kMost)), '\0');
+  file.seekg(size - static_cast<std::streamoff>(end.size()));
+  return file.read(end.data(), static_cast<std::streamsize>(end.size())) ? end : "";
 }
 
 bool isRegularFile(const std::string& path) {
@@ -38,7 +48,8 @@ void requireReplaceableRecording(const std::string& path) {
 bool isCompleteRecording(const std::string& path) {
   std::error_code absent;
   if (!isRegularFile(path)) return std::filesystem::exists(path, absent);
-  return has(path, std::ios::end, -static_cast<std::streamoff>(std::strlen(kEndOfRecording)), kEndOfRecording);
+  const std::string end = lastBytes(path);
+  return end.ends_with(kEndOfRecording) && end.find(kLostRows) == end.npos;
 }
 
 }  // namespace darwinop::runtime

@@ -9,6 +9,7 @@
 #include "environment.hpp"
 #include "runtime/operator.hpp"
 #include "runtime/recorder.hpp"
+#include "runtime/recording_file.hpp"
 #include "runtime/report.hpp"
 #include "simulated_robot.hpp"
 #include "support/temporary_folder.hpp"

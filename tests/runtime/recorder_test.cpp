@@ -127,6 +127,18 @@ TEST(Recorder, CountsRowsThatDidNotFitAndSaysSoAtTheEnd) {
   EXPECT_THAT(table.comments, Contains(HasSubstr(kLostRows + std::string{"88"})));
 }
 
+TEST(Recorder, ARecordingWithLostRowsIsNotComplete) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "log.csv";
+  testing::internal::CaptureStderr();
+  {
+    Recorder recorder{path, {}, Recorder::Writer::kByHand};
+    for (std::uint64_t cycle = 1; cycle <= 600; ++cycle) recorder.push(Commands{}, sensorsOf(cycle));
+  }
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(path + " lacks 88" + messages::kRowsLost));
+  EXPECT_FALSE(isCompleteRecording(path));
+}
+
 TEST(Recorder, ThreadWritesEverythingBeforeItEnds) {
   const TemporaryFolder folder;
   {
