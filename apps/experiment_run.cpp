@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bitset>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <webots/Motor.hpp>
 
 #include "connect/robot_file.hpp"
 #include "connect/setting.hpp"
@@ -21,7 +23,9 @@
 #include "experiments/run/progress.hpp"
 #include "experiments/run/recorded.hpp"
 #include "experiments/run/runner.hpp"
+#include "experiments/run/shortfalls.hpp"
 #include "runtime/recording_file.hpp"
+#include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
 #include "webots/tool_robot.hpp"
 
@@ -30,10 +34,22 @@ namespace {
 
 constexpr const char* kUpright = "0 1 0";  // of a clamped twin, where nothing else is set
 
-/// Joint ranges of this robot; robot.ini may narrow them.
-Ranges rangesOf(const connect::Setting& robot) {
-  if (robot.kind != connect::RobotKind::kSerial) return safety::hardRanges();
-  return connect::safetyOn(connect::readRobotFile(), {}, "config.ini").range;
+/// Ranges and absent joints of this robot, as far as a file says them: robot.ini.
+safety::Config safetyOf(const connect::Setting& robot) {
+  if (robot.kind != connect::RobotKind::kSerial) return {};
+  return connect::safetyOn(connect::readRobotFile(), {}, "config.ini");
+}
+
+/// Throws std::runtime_error if the experiment names a joint that is absent. One of all joints is one of those there
+/// are.
+void requireJoints(const Experiment& experiment, const Plan& plan, const std::bitset<kJoints>& absent) {
+  std::bitset<kJoints> moved, recorded;
+  for (const JointPlan& joint : plan.moved) moved.set(index(joint.joint));
+  for (const Joint joint : experiment.record_joints) recorded.set(index(joint));
+  for (const std::bitset<kJoints>& named : {moved, recorded})
+    for (std::size_t i = 0; !named.all() && i < kJoints; ++i)
+      if (named[i] && absent[i])
+        throw std::runtime_error(experiment.file + ": " + std::string{kJointTable[i].name} + kNamesAbsentJoint);
 }
 
 /// "speed-20260102-150405-twin.csv"; "-2" and so on before ".csv" if that exists.
@@ -56,16 +72,27 @@ void setIfGiven(const char* name, const std::string& value) {
   if (!value.empty()) setenv(name, value.c_str(), 1);
 }
 
+Pose goalsOf(webots::Robot& robot) {
+  Pose goals{};
+  for (std::size_t i = 0; i < kJoints; ++i)
+    goals[i] = robot.getMotor(std::string{kJointTable[i].name})->getTargetPosition();
+  return goals;
+}
+
 /// On the robot selected by the environment; on return the robot is at rest and the recording complete.
-RunOutcome drive(const Experiment& experiment, const Plan& plan) {
+RunOutcome drive(const Experiment& experiment, const Plan& plan, Shortfalls& shortfalls) {
   webots_api::ToolRobot robot{{.trunk_is_held = experiment.setup.is_clamped}};
   const std::atomic<bool>& stop = installGentleStop();
   Progress progress{plan.seconds()};
-  const auto report = [&](const std::string& phase, double seconds) { progress.update(phase, seconds); };
+  const auto report = [&](const std::string& phase, double seconds) {
+    progress.update(phase, seconds);
+    if (phase == kSetupPhase || phase == kReturnPhase) return;
+    shortfalls.update(goalsOf(robot), webots_api::currentRobot()->session().sensors());
+  };
   return Runner{robot, experiment, stop, report}.run();
 }
 
-int reportEnd(RunOutcome outcome, const std::string& record) {
+int reportEnd(RunOutcome outcome, const Shortfalls& shortfalls, const std::string& record) {
   const bool is_recorded = reportRecording(record);
   // The API answers a second request as the end of the robot.
   if (outcome == RunOutcome::kEnded && webots_api::stopRequested()) outcome = RunOutcome::kStopped;
@@ -85,7 +112,8 @@ int reportEnd(RunOutcome outcome, const std::string& record) {
                    "the fall on\n";
       return app::kFailed;
     default:
-      return is_recorded ? app::kDone : app::kFailed;
+      std::cerr << shortfalls.text();
+      return is_recorded && shortfalls.text().empty() ? app::kDone : app::kFailed;
   }
 }
 
@@ -96,7 +124,9 @@ int run(ExperimentRequest a) {
   const Experiment experiment = readExperiment(findExperiment(a.experiment));
   if (const char* usual = std::getenv("DARWINOP_ROBOT"); a.robot.empty() && usual != nullptr) a.robot = usual;
   const connect::Setting robot = connect::readSetting(a.robot);
-  const Plan plan = makePlan(experiment, rangesOf(robot));
+  const safety::Config safety = safetyOf(robot);
+  const Plan plan = makePlan(experiment, safety.range);
+  requireJoints(experiment, plan, safety.absent);
   std::cout << planText(experiment, plan) << std::endl;
   if (!a.yes && mayBeHardware(a.robot)) {
     std::cerr << "darwinop experiment: this moves a real robot, as shown above. Make sure that nothing is in its way "
@@ -116,7 +146,9 @@ int run(ExperimentRequest a) {
   setIfGiven("DARWINOP_RECORD_NOTES", recordNotes(experiment));
   if (experiment.setup.is_clamped) setenv("DARWINOP_TWIN_CLAMP", kUpright, 0);
   setenv("DARWINOP_KEEP_CWD", "1", 1);  // file names are relative to the user's folder
-  return reportEnd(drive(experiment, plan), a.record);
+  Shortfalls shortfalls{plan, experiment.record_joints, safety.absent};
+  const RunOutcome outcome = drive(experiment, plan, shortfalls);
+  return reportEnd(outcome, shortfalls, a.record);
 }
 
 }  // namespace darwinop::experiments

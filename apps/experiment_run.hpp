@@ -5,6 +5,8 @@
 
 namespace darwinop::experiments {
 
+inline constexpr const char* kNamesAbsentJoint =
+    " is absent according to robot.ini; take another joint, or correct [Robot] absent";  // after file and joint
 inline constexpr const char* kStoppedOnRequest = "stopped on request";
 inline constexpr const char* kRecordedUntilThen = "; the recording contains the data until then";
 

@@ -15,8 +15,7 @@
 
 namespace darwinop::experiments {
 namespace {
-constexpr double kFar = 0.1;          // rad
-constexpr double kDefaultGain = 4.0;  // factory setting of the servo
+constexpr double kFar = 0.1;  // rad
 }  // namespace
 
 Runner::Runner(webots::Robot& robot, const Experiment& experiment, const std::atomic<bool>& stop,
@@ -155,7 +154,7 @@ void Runner::restoreOthers(const Phase* phase) {
     startAtPresentPosition(joint);
     joint.motor->setVelocity(kFullSpeed);
     joint.motor->setAcceleration(-1);
-    joint.motor->setControlPID(kDefaultGain, 0, 0);
+    joint.motor->setControlPID(kDefaultPGain, 0, 0);
     joint.motor->setAvailableTorque(kMaxTorqueNm);
     joint.changed = joint.loose = joint.pushed = false;
   }

@@ -10,8 +10,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "experiment_run.hpp"
 #include "experiments/format/messages.hpp"
 #include "experiments/run/recorded.hpp"
+#include "experiments/run/shortfalls.hpp"
 #include "support/shell.hpp"
 #include "system/program.hpp"
 
@@ -115,6 +117,48 @@ TEST_F(Command, GoalBeyondALimitMovesNothing) {
   EXPECT_THAT(output,
               HasSubstr("far.ini, line 10: [phase turn] would send Neck to 2 rad; its limits are -1.93 to 1.69"));
   EXPECT_FALSE(std::filesystem::exists(file("log.csv")));
+}
+
+class OnServosOfAPty : public Command {
+ protected:
+  /// Nods the neck to 0.3 rad on a virtual robot with these servo settings, in real time.
+  int nod(const std::string& settings, const std::string& robot_ini = "") {
+    std::ofstream{file("nod.ini")} << "[experiment]\nname = nod\ntitle = a nod\n[setup]\npose = start\nduration = 1 s\n"
+                                      "[phase nod]\njoints = Neck\ngoal = step\nto = 0.3 rad\nvelocity = 1 rad/s\n"
+                                      "duration = 1 s\n[record]\njoints = Neck\n";
+    std::ofstream{file("robot.ini")} << robot_ini;
+    setenv("DARWINOP_ROBOT_FILE", file("robot.ini").c_str(), 1);
+    std::vector<std::string> virtual_robot{std::string{DARWINOP_BIN} + "/darwinop-virtual-robot", "--link",
+                                           file("port")};
+    if (!settings.empty()) virtual_robot.insert(virtual_robot.end(), {"--servo", settings});
+    Program robot{virtual_robot, file("robot.txt")};
+    EXPECT_TRUE(robot.says("link:", std::chrono::seconds{10})) << robot.output();
+    const int status = experiment({"run", file("nod.ini"), "--robot", file("port"), "--record", file("log.csv")});
+    unsetenv("DARWINOP_ROBOT_FILE");
+    return status;
+  }
+};
+
+TEST_F(OnServosOfAPty, GoalsThatTheServosLimitsClampAreNotDone) {
+  EXPECT_EQ(nod("Neck=ccw-limit:2148"), 1);
+  EXPECT_THAT(output, HasSubstr(std::string{"Neck"} + experiments::kGoalsClamped));
+  EXPECT_THAT(output, HasSubstr("to 0.153 rad\n")) << "the limit";
+  EXPECT_THAT(output, HasSubstr(experiments::kRecorded)) << "the recording is kept";
+}
+
+TEST_F(OnServosOfAPty, ASilentJointIsNotDone) {
+  EXPECT_EQ(nod("Neck=missing"), 1);
+  EXPECT_THAT(output, HasSubstr(std::string{"Neck"} + experiments::kNotMeasured));
+}
+
+TEST_F(OnServosOfAPty, AnAbsentJointMovesNothing) {
+  EXPECT_EQ(nod("Neck=missing", "[Robot]\nabsent = Neck\n"), 2);
+  EXPECT_THAT(output, HasSubstr(std::string{"nod.ini: Neck"} + experiments::kNamesAbsentJoint));
+  EXPECT_FALSE(std::filesystem::exists(file("log.csv")));
+}
+
+TEST_F(OnServosOfAPty, AllAsAsked) {
+  EXPECT_EQ(nod(""), 0) << output;
 }
 
 TEST_F(Command, RobotOverTcpMayBeARealOne) {
