@@ -35,7 +35,7 @@ using calibrate::kExitWrong;
 /// A measurement of minutes is not lost by another answer than y or n; the end of the input is n.
 bool confirmed(const CalibrateOptions& given, const std::string& file) {
   if (given.yes) return true;
-  std::cout << "\nWrite this to " << file << "? The old file is kept.";
+  std::cout << "\nWrite this to " << file << (readTextFile(file) ? "? The old file is kept." : ", a new file?");
   for (std::string answer;;) {
     std::cout << " y or n, and Enter > " << std::flush;
     if (!std::getline(std::cin, answer)) return false;
@@ -81,7 +81,8 @@ int keep(const CalibrateOptions& given, const std::string& file, const std::stri
     return kExitNothing;
   }
   const std::string text = withValues(readTextFile(file).value_or(""), section, values);
-  static_cast<void>(connect::parseRobotFile(text, file));
+  // An offset may leave nothing of a range in [Limits], with which no program would start.
+  static_cast<void>(connect::safetyOn(connect::parseRobotFile(text, file), {}, file));
   const std::string kept = replaceKeepingOld(file, text, timeText("%Y%m%d-%H%M%S"));
   std::cout << "written: " << file << (kept.empty() ? "" : "\nold file: " + kept) << '\n';
   return kExitDone;

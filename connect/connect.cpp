@@ -9,6 +9,7 @@
 #include "connect/lockstep_robot.hpp"
 #include "connect/messages.hpp"
 #include "connect/robot_file.hpp"
+#include "connect/robot_file_finding.hpp"
 #include "connect/serial_bus.hpp"
 #include "connect/setting.hpp"
 #include "connect/twin_library.hpp"
@@ -53,7 +54,7 @@ std::unique_ptr<runtime::RobotLink> serialRobot(const ConnectRequest& request, c
   OpenedBus opened = openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted, robot.imu});
   config.safety = opened.safety;
   config.port = opened.description;
-  warn(request, opened.warnings);
+  warn(request, robotFileWarning(robot, port) + opened.warnings);
   auto link = std::make_unique<runtime::ThreadedLink>(config, std::move(opened.bus));
   if (!link->warning().empty()) warn(request, "darwinop: " + link->warning() + "\n");
   return link;

@@ -6,6 +6,7 @@ namespace darwinop::connect::messages {
 // robot.ini.
 inline constexpr const char* kHasNoBoard = ", no board";
 inline constexpr const char* kNoRobotFile = "no robot.ini: port, limits and offsets are as on a stock robot";
+inline constexpr const char* kCopyRobotFile = "scp darwin@192.168.123.1:/opt/darwinop/robot.ini ";  // then where to
 inline constexpr const char* kNoJointLeft = "a robot without any joint cannot be driven";
 inline constexpr const char* kNoSuchServoModel = "give models with commas between, or nothing; there are ";
 inline constexpr const char* kNoSuchImuKey = "no such key; there are gyro_bias, accel_bias, accel_scale and mounting";

@@ -2,12 +2,10 @@
 
 #include <filesystem>
 
+#include "connect/messages.hpp"
+
 namespace darwinop::connect {
 namespace {
-
-constexpr const char* kCopyIt =
-    "on a PC copy the robot's file first: scp darwin@192.168.123.1:/opt/darwinop/robot.ini . ; "
-    "export DARWINOP_ROBOT_FILE=$PWD/robot.ini";
 
 /// /dev/ttyUSB0, or a link to it; a pty is in /dev/pts.
 bool isRealPort(const std::string& port) {
@@ -19,7 +17,14 @@ bool isRealPort(const std::string& port) {
 
 cm730::Finding robotFileFinding(const RobotFile& robot, const std::string& port) {
   if (!robot.path.empty() || !isRealPort(port)) return cm730::Finding::ok(describe(robot));
-  return cm730::Finding::of(cm730::Kind::kNoRobotFile, describe(robot), kCopyIt);
+  return cm730::Finding::of(cm730::Kind::kNoRobotFile, describe(robot),
+                            std::string{"on a PC copy the robot's file first: "} + messages::kCopyRobotFile +
+                                ". ; export DARWINOP_ROBOT_FILE=$PWD/robot.ini");
+}
+
+std::string robotFileWarning(const RobotFile& robot, const std::string& port) {
+  const cm730::Finding finding = robotFileFinding(robot, port);
+  return finding.level == cm730::Level::kOk ? std::string{} : cm730::toText(finding);
 }
 
 }  // namespace darwinop::connect

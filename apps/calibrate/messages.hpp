@@ -26,6 +26,8 @@ inline constexpr const char* kOtherLoop =
 inline constexpr const char* kNothingToCalibrate =
     "--robot virtual: nobody can turn its joints, so there is nothing to calibrate; try it with --robot twin --file "
     "FILE";
+inline constexpr const char* kNoSuchRobotFile =
+    " does not exist: limits, absent joints and offsets of the robot would not apply. Copy its file first: ";
 inline constexpr const char* kNeedsHands = "--yes is for twins: a person has to hold this robot in each posture";
 inline constexpr const char* kYesByHand = "by-hand asks for each joint: leave --yes out";
 inline constexpr const char* kNoJointRead = "no joint was read; nothing written";

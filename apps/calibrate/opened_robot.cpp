@@ -10,6 +10,7 @@
 #include "apps/calibrate/messages.hpp"
 #include "connect/connect.hpp"
 #include "connect/lockstep_robot.hpp"
+#include "connect/messages.hpp"
 #include "connect/setting.hpp"
 #include "connect/twin_library.hpp"
 #include "hal/cm730/port_messages.hpp"
@@ -73,6 +74,9 @@ OpenedRobot openRobot(const std::string& setting, const std::string& file, bool 
   if (robot.kind == connect::RobotKind::kTwin) return openTwin(robot.model, file);
   if (robot.kind == connect::RobotKind::kVirtual) throw std::runtime_error(messages::kNothingToCalibrate);
   if (unattended) throw std::runtime_error(messages::kNeedsHands);
+  if (!file.empty() && !readTextFile(file))
+    throw std::runtime_error(file + messages::kNoSuchRobotFile + connect::messages::kCopyRobotFile + file +
+                             " (a new robot has none: touch " + file + ")");
   connect::ConnectRequest request;
   request.setting = setting;
   request.safety = heldRobot();

@@ -22,6 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 using runtime::Environment;
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -45,6 +46,11 @@ TEST(RobotFile, IsMissedAtARealPortOnly) {
   EXPECT_THAT(missed.remedy, HasSubstr("DARWINOP_ROBOT_FILE"));
   EXPECT_EQ(at({}, "/dev/pts/7").level, cm730::Level::kOk);
   EXPECT_EQ(at(parseRobotFile("", "robot.ini"), "/dev/ttyUSB7").level, cm730::Level::kOk);
+}
+
+TEST(RobotFile, AStartWithoutItAtARealPortWarns) {
+  EXPECT_THAT(robotFileWarning({}, "/dev/ttyUSB7"), AllOf(HasSubstr(messages::kNoRobotFile), EndsWith("\n")));
+  EXPECT_EQ(robotFileWarning({}, "/dev/pts/7"), "");
 }
 
 TEST(RobotFile, ReadsEverySection) {

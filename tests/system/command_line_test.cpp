@@ -78,6 +78,13 @@ TEST_F(CommandLine, CalibrateRefusesARobotThatNobodyCanTurn) {
   EXPECT_THAT(refused.said, HasSubstr(calibrate::messages::kNothingToCalibrate));
 }
 
+// Its limits and absent joints would not apply while the joints are swept.
+TEST_F(CommandLine, CalibrateRefusesARobotWhoseFileDoesNotExist) {
+  const Outcome refused = call("calibrate joints --file " + file("new.ini") + " --robot " + file("port"));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, HasSubstr(file("new.ini") + calibrate::messages::kNoSuchRobotFile));
+}
+
 TEST_F(CommandLine, CtrlCDuringASweepEndsCalibrateAsStopped) {
   Program sweeping{{program("darwinop-calibrate"), "joints", "--robot", "twin", "--yes"}, file("calibrate.txt")};
   ASSERT_TRUE(sweeping.says(calibrate::messages::kSweepBegins, std::chrono::seconds{60})) << sweeping.output();
