@@ -75,6 +75,15 @@ mkdir -p "$work/linked" "$work/copied"
 ln -s "$makefile" "$work/linked/Makefile.include"
 make_way "$work/linked"
 
+step "made for another computer: made again, and nothing twice"
+made=$work/linked/symmetry
+make_it() { make -C "$made" -f Makefile.darwin-op CXXFLAGS="$CXXFLAGS $*" CFLAGS="$CXXFLAGS" LFLAGS="$LDFLAGS" >"$work/made"; }
+make_it
+make_it
+! grep -q -e ' -c ' "$work/made" || { echo "made twice:"; cat "$work/made"; exit 1; }
+make_it -DTHE_OTHER="'1 2'"
+[ "$(grep -c -e "THE_OTHER='1 2' .*-c " "$work/made")" = 2 ] || { echo "not made again:"; cat "$work/made"; exit 1; }
+
 step "the same with WEBOTS_DARWINOP_PROJECT_ROOT"
 cp "$makefile" "$work/copied/Makefile.include"
 make_way "$work/copied" WEBOTS_DARWINOP_PROJECT_ROOT="$prefix"
