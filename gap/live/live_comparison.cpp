@@ -48,7 +48,8 @@ std::string_view name(Resync reason) {
 }
 
 LiveComparison::LiveComparison(twin::Model model, Support support, double period_s)
-    : twin_{std::move(model), support},
+    : acceleration_{model},
+      twin_{std::move(model), support},
       cycles_of_turn_{cyclesOf(kTurning, period_s)},
       position_(kJoints, ResidualWindow{cyclesOf(kWindow, period_s)}),
       load_{position_},
@@ -75,14 +76,14 @@ void LiveComparison::take(const LiveCycle& cycle) {
     measured_rad_[i] = isKnown(seen.joint[i].motion) ? seen.joint[i].position.value : kNone;
   status_.are_gains_known = !std::isnan(cycle.p_gain[0]);
   noteTorque(seen);
-  robot_up_.add(accelOf(seen.board), dt_s);
+  robot_up_.add(acceleration_.from(accelOf(seen.board)), dt_s);
   if (wanted_) return place(cycle);
   const BodyState& twin = twin_.step(cycle, measured_rad_);
   if (twin_.error() != nullptr) {
     status_.state = LiveState::kFailed, status_.error = twin_.error();
     return;
   }
-  twin_up_.add(twin.accel_m_s2, dt_s);
+  twin_up_.add(acceleration_.from(twin.accel_m_s2), dt_s);
   if (isMovedBySafety(seen.safety.state)) settled_at_s_ = time_s + kSettle;
   noteTurn(dt_s);
   if (wanted_) return place(cycle);

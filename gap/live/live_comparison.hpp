@@ -12,6 +12,7 @@
 
 #include "gap/live/residual_window.hpp"
 #include "gap/live/twin_replica.hpp"
+#include "twin/body/imu_axes.hpp"
 
 namespace darwinop::gap::live {
 
@@ -69,6 +70,7 @@ class LiveComparison {
   void place(const LiveCycle& cycle);
   void compare(const Sensors& seen, const BodyState& twin);
 
+  twin::TrunkAcceleration acceleration_;  // robot and twin have a sensor as the model describes it
   TwinReplica twin_;
   LiveReport status_;  // without the residuals
   std::uint64_t last_cycle_ = 0;

@@ -15,15 +15,14 @@ double norm(const Axes& a) noexcept {
 }  // namespace
 
 void TrunkDirection::add(const Axes& accel_m_s2, double dt_s) noexcept {
-  if (std::isnan(norm(accel_m_s2))) return;
-  const Axes up{-accel_m_s2[0], accel_m_s2[2], accel_m_s2[1]};
-  newest_ = up;
+  if (!std::isfinite(norm(accel_m_s2))) return;
+  newest_ = accel_m_s2;
   if (!mean_) {
-    mean_ = up;
+    mean_ = accel_m_s2;
     return;
   }
   const double share = -std::expm1(-dt_s / kGravityTime);
-  for (std::size_t i = 0; i < 3; ++i) (*mean_)[i] += share * (up[i] - (*mean_)[i]);
+  for (std::size_t i = 0; i < 3; ++i) (*mean_)[i] += share * (accel_m_s2[i] - (*mean_)[i]);
 }
 
 std::optional<Axes> TrunkDirection::up() const noexcept {

@@ -10,7 +10,7 @@ namespace darwinop::gap::live {
 /// Upward direction in the trunk's frame (left, up, forward), low-passed with kGravityTime.
 class TrunkDirection {
  public:
-  /// `accel_m_s2`: right, forward, up. NaN: not read; nothing changes.
+  /// `accel_m_s2`: in the same frame. NaN: not read; nothing changes.
   void add(const Axes& accel_m_s2, double dt_s) noexcept;
   /// Unit vector; none before the first reading, and in free fall.
   [[nodiscard]] std::optional<Axes> up() const noexcept;

@@ -47,13 +47,20 @@ ImuAxes imuAxesOf(const Model& model) {
           .gravity_m_s2 = mju_norm3(body->opt.gravity)};
 }
 
-std::array<double, 3> idealReading(const Model& model, const std::array<double, 3>& accel_m_s2) {
-  const MountingMatrix axes = imuAxesOf(model).accelerometer;
-  std::array<double, 3> trunk{};  // left, up, forward
+TrunkAcceleration::TrunkAcceleration(const Model& model)
+    : axes_{imuAxesOf(model).accelerometer}, bias_m_s2_{model.imu.accel_bias_m_s2}, scale_{model.imu.accel_scale} {}
+
+std::array<double, 3> TrunkAcceleration::from(const std::array<double, 3>& read_m_s2) const noexcept {
+  std::array<double, 3> trunk{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double read = (accel_m_s2[axis] - model.imu.accel_bias_m_s2[axis]) / model.imu.accel_scale[axis];
-    for (std::size_t k = 0; k < 3; ++k) trunk[k] += axes[axis][k] * read;
+    const double read = (read_m_s2[axis] - bias_m_s2_[axis]) / scale_[axis];
+    for (std::size_t k = 0; k < 3; ++k) trunk[k] += axes_[axis][k] * read;
   }
+  return trunk;
+}
+
+std::array<double, 3> idealReading(const Model& model, const std::array<double, 3>& accel_m_s2) {
+  const std::array<double, 3> trunk = TrunkAcceleration{model}.from(accel_m_s2);
   return {-trunk[0], trunk[2], trunk[1]};
 }
 

@@ -58,6 +58,19 @@ TEST(LiveComparison, ABiasOfTheGyroscopeIsInItsAxis) {
   EXPECT_LT(comparison.report().gyro_rad_s[0].rms, 0.01);
 }
 
+// Of a board that is mounted another way round (the thesis of 2013, signs of the accelerometer).
+TEST(LiveComparison, AModelWithTheRobotsAccelerometerAxesHangsAsTheRobotDoes) {
+  const std::string other_axes = "[imu]\naccel_axes = -1, 2, -3\n";
+  for (const auto& [clamp, up] : {std::pair{"0 1 0", Axes{0, 1, 0}}, std::pair{"1 0 0", Axes{1, 0, 0}}}) {
+    LiveRobot robot{other_axes, clamp};
+    const LiveReport report = compared(robot, modelWith(other_axes));
+    EXPECT_EQ(report.state, LiveState::kComparing);
+    EXPECT_EQ(report.up, up);
+    EXPECT_LT(report.position_rad[kElbow].rms, kRadPerTick);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(report.accel_m_s2[i].rms, 0.08);  // one step
+  }
+}
+
 TEST(LiveComparison, ServosWithoutABoardAreComparedWithATwinThatIsUpright) {
   LiveRobot robot{kStiffElbow};
   LiveComparison comparison{modelWith(""), Support::kClamped, kPeriod};

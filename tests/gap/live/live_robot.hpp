@@ -8,7 +8,6 @@
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "core/conversions.hpp"
 #include "core/servo_limits.hpp"
 #include "gap/live/live_comparison.hpp"
+#include "hal/text_file.hpp"
 #include "runtime/environment.hpp"
 #include "support/temporary_folder.hpp"
 #include "twin/model/model.hpp"
@@ -26,12 +26,12 @@ constexpr std::size_t kElbow = index(Joint::kArmLowerR), kShoulder = index(Joint
                       kNeck = index(Joint::kNeck);
 constexpr double kPeriod = 0.016;  // s
 
-/// The text of the shipped model with more sections.
+/// The text of the shipped model with more sections, or with more keys of its [imu].
 inline std::string modelText(const std::string& more) {
-  const std::ifstream file{twin::findModel("darwin-op")};
-  std::ostringstream text;
-  text << file.rdbuf() << '\n' << more;
-  return text.str();
+  const std::string shipped = readTextFile(twin::findModel("darwin-op")).value(), imu = "[imu]\n";
+  if (!more.starts_with(imu)) return shipped + '\n' + more;
+  const std::size_t at = shipped.find(imu);
+  return shipped.substr(0, at) + more + shipped.substr(at + imu.size());
 }
 
 inline twin::Model modelWith(const std::string& more) {

@@ -10,13 +10,13 @@
 namespace darwinop::gap::live {
 namespace {
 
-TEST(TrunkDirection, ReadsTheSensorsAxes) {
+TEST(TrunkDirection, IsAgainstGravity) {
   TrunkDirection direction;
   EXPECT_FALSE(direction.up());
-  direction.add({0, 0, kGravity}, 0);
+  direction.add({0, kGravity, 0}, 0);
   EXPECT_EQ(*direction.up(), (Axes{0, 1, 0})) << "upright";
   direction.forget();
-  direction.add({0, -kGravity, 0}, 0);
+  direction.add({0, 0, -kGravity}, 0);
   EXPECT_EQ(*direction.up(), (Axes{0, 0, -1})) << "face down";
   EXPECT_TRUE(direction.isSteady());
   direction.add({std::nan(""), 0, 0}, 1);
