@@ -1,7 +1,14 @@
 // Rows of the doctor's document, without a browser.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import {batteryLook} from '../../../window/page/src/battery.js';
 import {pieces, rowsOf} from '../../../window/page/src/doctor.js';
+
+test('the battery is marked by its faults, whose thresholds robot.ini may raise', () => {
+  assert.equal(batteryLook([{name: 'servo_hot'}]), '');
+  assert.equal(batteryLook([{name: 'servo_hot'}, {name: 'battery_low'}]), 'warn');
+  assert.equal(batteryLook([{name: 'battery_low'}, {name: 'battery_empty'}]), 'bad');
+});
 
 test('faults come first, then findings with a remedy, then what is fine, all in the doctor\'s words', () => {
   const rows = rowsOf({

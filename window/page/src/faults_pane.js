@@ -4,8 +4,8 @@ import {el, number} from './dom.js';
 const kKept = 50;
 
 export class FaultsPane {
-  constructor(counted) {
-    this.counted = counted;  // called with the number of active faults
+  constructor(taken) {
+    this.taken = taken;  // called with the active faults
     this.active = el('div', {}, el('p', {}, '—'));
     this.list = el('ol', {className: 'notices', reversed: true});
     this.numbers = new Set();
@@ -25,7 +25,7 @@ export class FaultsPane {
 
   /// A "faults" message: all active faults.
   take({active}) {
-    this.counted(active.length);
+    this.taken(active);
     if (active.length === 0) return this.active.replaceChildren(el('p', {}, 'No faults.'));
     return this.active.replaceChildren(...active.map((fault) => el('div', {className: 'fault'},
       el('p', {}, el('strong', {}, `${fault.name}${fault.joint ? `, ${fault.joint}` : ''}`), ` (${fault.code})`),

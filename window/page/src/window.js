@@ -37,7 +37,7 @@ const steering = new Steering(channel('steering'));
 const steer = new SteerPane(steering);
 const timeline = new Timeline();
 const pills = new Pills(by('pills'));
-const faults = new FaultsPane((count) => { pills.faults(count); tabs.count(5, count); });
+const faults = new FaultsPane((active) => { pills.faults(active); tabs.count(5, active.length); });
 const loop = new LoopPane();
 const servos = new ServosPane(timeline, new Doctor(channel('doctor')));
 const live = new Live(channel('live'));
