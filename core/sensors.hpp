@@ -18,9 +18,12 @@ namespace darwinop {
 /// in which the loop stood still count as cycles if it stood still for 0.15 s or longer (runtime/cycle.cpp).
 struct Freshness {
   static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
+  /// Single lost replies are normal on this bus. Controllers get NaN from this age on, at 16 ms after 64 ms.
+  static constexpr std::uint32_t kStale = 4;
   std::uint32_t age = kNever;
 
   [[nodiscard]] constexpr bool fresh() const { return age == 0; }
+  [[nodiscard]] constexpr bool stale() const { return age >= kStale; }
   [[nodiscard]] constexpr bool ever() const { return age != kNever; }
   constexpr void received() { age = 0; }
   constexpr void missed(std::uint32_t cycles = 1) {
@@ -29,9 +32,8 @@ struct Freshness {
 };
 
 /// Replies in a row that may be missing. After more, the link counts as lost (board), or the servo is taken over again.
-/// Single lost replies are normal on this bus.
 inline constexpr std::uint32_t kAnswerPatience = 5;  // cycles
-/// The safety layer polls one servo per cycle (voltage, temperature, torque). After this many cycles each was polled
+/// The bus polls one servo per cycle (voltage, temperature, torque). After this many cycles each was polled
 /// once, with a margin for lost replies.
 inline constexpr std::uint32_t kPollRound = kJoints + 5;
 
@@ -125,7 +127,7 @@ struct Sensors {
   LinkCounters link{};
   WireFigures wire{};
   SafetyReport safety{};
-  std::bitset<kJoints> silent;  // servos removed from the read list for now; retried about twice a second
+  std::bitset<kJoints> silent;  // servos removed from the read list for now; retried every 16 to 48 cycles
 };
 static_assert(std::is_trivially_copyable_v<Sensors>);
 

@@ -24,7 +24,7 @@ bool polledLately(const JointSensors& joint, double period) {
 }
 
 bool motionFresh(Freshness freshness) {
-  return freshness.age < runtime::kStaleAge;
+  return !freshness.stale();
 }
 
 /// Array with one value per joint.

@@ -42,9 +42,9 @@ std::string staleText(const Sensors& sensors) {
 
 std::vector<std::string> staleDevices(const Sensors& sensors) {
   std::vector<std::string> stale;
-  if (!sensors.board.absent && sensors.board.motion.age >= kStaleAge) stale.emplace_back("CM-730");
+  if (!sensors.board.absent && sensors.board.motion.stale()) stale.emplace_back("CM-730");
   for (std::size_t i = 0; i < kJoints; ++i)
-    if (sensors.joint[i].motion.age >= kStaleAge) stale.emplace_back(kJointTable[i].name);
+    if (sensors.joint[i].motion.stale()) stale.emplace_back(kJointTable[i].name);
   return stale;
 }
 

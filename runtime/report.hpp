@@ -9,9 +9,6 @@
 
 namespace darwinop::runtime {
 
-/// Age in cycles from which a device counts as stale. Single lost replies are normal on a serial line.
-inline constexpr std::uint32_t kStaleAge = 4;
-
 /// Names of stale devices, the board first: "CM-730", "Neck".
 std::vector<std::string> staleDevices(const Sensors& sensors);
 

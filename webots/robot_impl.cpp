@@ -18,11 +18,6 @@
 namespace darwinop::webots_api {
 
 namespace {
-// Up to three lost cycles are tolerated; at 16 ms a value is then 48 ms old.
-bool usable(Freshness freshness) {
-  return freshness.age <= 3;
-}
-
 std::string_view endNotice(Reaction at_end) {
   if (at_end == Reaction::kHold) return messages::kEndsHolding;
   return at_end == Reaction::kKneel ? messages::kEndsKneeling : messages::kEndsLimp;
@@ -41,7 +36,7 @@ std::unique_ptr<KeySource> openTheUsualKeys(const std::atomic<bool>& stop) {
 }
 
 void warnMissing(const std::string& device) {
-  warnOnce(device + " has not answered for 3 cycles: its values are NaN (not a number) until it does");
+  warnOnce(device + " has not answered for more than 3 cycles: its values are NaN (not a number) until it does");
 }
 }  // namespace
 
@@ -172,7 +167,7 @@ webots::Device* RobotImpl::find(const std::string& name) const {
 
 const BoardSensors* RobotImpl::usableBoard() const {
   const BoardSensors& board = session_.sensors().board;
-  return usable(board.motion) ? &board : nullptr;
+  return board.motion.stale() ? nullptr : &board;
 }
 
 const BoardSensors* RobotImpl::board(const std::string& device) const {
@@ -182,7 +177,7 @@ const BoardSensors* RobotImpl::board(const std::string& device) const {
 }
 
 const JointSensors* RobotImpl::joint(Joint joint, const std::string& device) const {
-  if (usable(lastKnown(joint).motion)) return &lastKnown(joint);
+  if (!lastKnown(joint).motion.stale()) return &lastKnown(joint);
   warnMissing(device);
   return nullptr;
 }

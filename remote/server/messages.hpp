@@ -27,6 +27,7 @@ inline constexpr const char* kTorqueSwitchedOff =
 
 // After a device's name.
 inline constexpr const char* kNeverAnswered = " has never answered: its values are sent as -2147483648 (unknown)";
-inline constexpr const char* kAnsweredLongAgo = " has not answered for 3 cycles: its last known values are sent";
+inline constexpr const char* kAnsweredLongAgo =
+    " has not answered for more than 3 cycles: its last known values are sent";
 
 }  // namespace darwinop::remote::messages

@@ -22,7 +22,7 @@ std::int32_t countOf(double si, const Register& law) {
 void note(std::size_t device, Freshness freshness, StaleValues& stale) {
   if (!freshness.ever())
     stale.never.set(device);
-  else if (freshness.age >= kOldAge)
+  else if (freshness.stale())
     stale.old.set(device);
 }
 

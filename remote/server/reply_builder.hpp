@@ -10,11 +10,8 @@
 
 namespace darwinop::remote {
 
-/// Age in cycles from which a value counts as stale. It is sent nevertheless: a balance controller works better with a
-/// value that is 0.1 s old than with kNoValue.
-inline constexpr std::uint32_t kOldAge = 4;
-
-/// Values of a reply that are stale or unknown, by joint; the last bit is the board.
+/// Values of a reply that are stale or unknown, by joint; the last bit is the board. Stale ones are sent nevertheless:
+/// a balance controller works better with a value that is 0.1 s old than with kNoValue.
 struct StaleValues {
   static constexpr std::size_t kBoard = kJoints;
   std::bitset<kJoints + 1> old;    // the last known value was sent

@@ -49,9 +49,9 @@ TEST(Report, LineSaysNanForWhatWasNotMeasured) {
 
 TEST(Report, CountsStaleDevicesInTheLineAndNamesThemInTheText) {
   Sensors s = allFresh();
-  s.joint[index(Joint::kNeck)].motion.age = kStaleAge;
-  s.joint[index(Joint::kHead)].motion.age = kStaleAge - 1;  // a few losses are ignored
-  s.joint[index(Joint::kFootL)].motion = Freshness{};       // never received
+  s.joint[index(Joint::kNeck)].motion.age = Freshness::kStale;
+  s.joint[index(Joint::kHead)].motion.age = Freshness::kStale - 1;  // a few losses are ignored
+  s.joint[index(Joint::kFootL)].motion = Freshness{};               // never received
   const StatsView stats = statsOf(s, 3, LoopStats::Timed::kYes);
   EXPECT_THAT(reportLine(stats, s), HasSubstr(" stale=2"));
   EXPECT_THAT(reportText(stats, s), HasSubstr("stale devices FootL, Neck\n"));

@@ -12,7 +12,6 @@ namespace darwinop::window {
 namespace {
 
 constexpr double kMaxStepMs = 500;                 // ms between two calls; the lease is lost after more
-constexpr std::uint32_t kStaleAge = 4;             // cycles
 constexpr std::array<int, 2> kGetUpPages{10, 11};  // from lying on the front, on the back
 
 body_player::Pose poseOf(const Sensors& seen) {
@@ -101,7 +100,7 @@ bool MotionPlanner::hasPositions(std::size_t limb, const Sensors& seen) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointSensors& joint = seen.joint[i];
     if (static_cast<std::size_t>(kJointTable[i].chain) != limb) continue;
-    if (joint.position.known() && joint.motion.age < kStaleAge) continue;
+    if (joint.position.known() && !joint.motion.stale()) continue;
     status_.refused = std::string{kJointTable[i].name} + " reports no position";
     return false;
   }
@@ -179,7 +178,7 @@ void MotionPlanner::advanceWalk(const DriveRequests& requests, const Sensors& se
     }
   }
   if (!walks() && page_.isPlaying()) return;
-  const bool known = seen.board.motion.age < kStaleAge;
+  const bool known = !seen.board.motion.stale();
   const auto count = [&](std::size_t axis) {
     return known ? countFrom(seen.board.gyro[axis].value, kGyroRegister) : kUnknown;
   };

@@ -25,7 +25,7 @@ class Accelerometer : public Device {
   /// Three raw counts, 0 to 1023, for the axes X (right), Y (forward), Z (up); 512 is 0, and 128 counts are 1 g by the
   /// board's firmware (the user guide has 3 g for half the range; no robot was measured). An upright robot reads 512,
   /// 512, 640. The pointer stays valid as long as the robot, and the values change in every step. NaN: the board has
-  /// not answered for 3 cycles.
+  /// not answered for more than 3 cycles.
   const double* getValues() const;
   /// Number of rows of getLookupTable(): 2.
   int getLookupTableSize() const { return 2; }

@@ -25,7 +25,7 @@ class Gyro : public Device {
   /// Three raw counts, 0 to 1023, for the axes X (backward), Y (right), Z (up), by the right-hand rule; 512 is 0, and
   /// one count is 3.584 deg/s by the board's firmware (the user guide has 1600 deg/s for half the range; no robot was
   /// measured, see core/registers.hpp). The pointer stays valid as long as the robot, and the values change in every
-  /// step. NaN: the board has not answered for 3 cycles.
+  /// step. NaN: the board has not answered for more than 3 cycles.
   const double* getValues() const;
   /// Number of rows of getLookupTable(): 2.
   int getLookupTableSize() const { return 2; }

@@ -102,7 +102,8 @@ class Motor : public Device {
   /// ms as set last; 0: disabled.
   int getTorqueFeedbackSamplingPeriod() const { return torque_period_; }
   /// Load in N m, -2.5 to 2.5, **positive when the servo reports a clockwise load**, as in 2013 and in setTorque().
-  /// The servo estimates it from its own motor drive; it is not a measured torque. NaN: no answer for 3 cycles.
+  /// The servo estimates it from its own motor drive; it is not a measured torque. NaN: no answer for more than 3
+  /// cycles.
   double getTorqueFeedback() const;
   /// Same as enableTorqueFeedback(); ms.
   virtual void enableForceFeedback(int sampling_period);
@@ -121,7 +122,7 @@ class Motor : public Device {
   virtual void disablePosition();
   /// ms as set last; 0: disabled.
   int getPositionSamplingPeriod() const { return position_period_; }
-  /// Measured position in rad, in steps of 2 pi / 4096. NaN: no answer for 3 cycles.
+  /// Measured position in rad, in steps of 2 pi / 4096. NaN: no answer for more than 3 cycles.
   /// Simulator: NaN until enabled. 2013: 0.125 % too large, and an old value after a lost answer.
   double getPosition() const;
 

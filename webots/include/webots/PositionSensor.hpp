@@ -29,7 +29,7 @@ class PositionSensor : public Device {
   /// ms as set last; 0: disabled.
   int getSamplingPeriod() const { return period_; }
   /// Position in rad, in steps of 2 pi / 4096, positive as the servo counts up; the same as Motor::getPosition().
-  /// NaN: the servo has not answered for 3 cycles.
+  /// NaN: the servo has not answered for more than 3 cycles.
   double getValue() const;
   /// ROTATIONAL.
   Type getType() const { return ROTATIONAL; }

@@ -193,7 +193,7 @@ class Robot {
   /// ms as set last; 0: disabled.
   int batterySensorGetSamplingPeriod() const;
   /// Supply voltage in V, about 10 (empty) to 12.6 (full) with a battery of 3 LiPo cells. NaN: the board has not
-  /// answered for 3 cycles. Simulator: energy in J.
+  /// answered for more than 3 cycles. Simulator: energy in J.
   double batterySensorGetValue() const;
 
   /// Same as Keyboard::enable(); `sampling_period` in ms.

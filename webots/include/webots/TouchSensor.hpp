@@ -26,7 +26,7 @@ class TouchSensor : public Device {
   virtual void disable();
   /// ms as set last; 0: disabled.
   int getSamplingPeriod() const { return period_; }
-  /// 0 or 1; 1: pressed. NaN: the board has not answered for 3 cycles, or over TCP the server does not send
+  /// 0 or 1; 1: pressed. NaN: the board has not answered for more than 3 cycles, or over TCP the server does not send
   /// buttons.
   double getValue() const;
   /// Absent here: NULL, with one warning; only a FORCE3D sensor has three values. Simulator: as
