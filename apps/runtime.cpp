@@ -10,6 +10,7 @@
 
 #include "connect/controller_user.hpp"
 #include "connect/robot_file.hpp"
+#include "connect/robot_file_finding.hpp"
 #include "connect/serial_bus.hpp"
 #include "connect/wait_for_bus.hpp"
 #include "hal/diagnostics.hpp"
@@ -55,8 +56,11 @@ std::optional<connect::OpenedBus> openBus(const Arguments& given, const connect:
                                           const runtime::LoopConfig& config, const runtime::RuntimeFiles& files) {
   const std::string port = given.port.value_or(robot.serialPort());
   const auto open = [&] {
-    return connect::openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted, robot.imu,
-                                   [&] { runtime::RobotNotes::noteServoPowerOff(files); }});
+    connect::OpenedBus opened =
+        connect::openSerialBus({port, config.period, config.safety, robot.offsets, robot.permitted, robot.imu,
+                                [&] { runtime::RobotNotes::noteServoPowerOff(files); }});
+    opened.warnings.insert(0, connect::robotFileWarning(robot, port));
+    return opened;
   };
   if (!given.wait) return open();
   const auto log = [](const std::string& what) { std::cerr << "darwinop runtime: " << what << std::endl; };
@@ -122,7 +126,7 @@ int main(int count, char** arguments) try {
   app.add_flag("--wait", given.wait, "wait for the robot's port and board instead of failing, for boot");
   app.add_option("--period", given.period_ms,
                  "period in ms: 16, or 8 if only goals are sent; default: robot.ini, else 16")
-      ->check(CLI::Range(1, 1000));
+      ->check(CLI::Range(connect::kShortestPeriod.count(), connect::kLongestPeriod.count()));
   app.add_option("--record", given.record, "write every cycle to this CSV file, see docs/logs.md");
   app.add_option("--config", given.config, "config.ini with [Safety] and [Limits] for every controller");
   app.add_option("--realtime", given.real_time, "required: fail without real-time permissions; if-allowed: warn")

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "connect/messages.hpp"
+#include "connect/serial_bus.hpp"
 #include "core/board_models.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
@@ -43,7 +44,7 @@ std::string accountName(std::string_view key, std::string_view value, const char
 
 Nanos periodInMs(std::string_view key, std::string_view value) {
   const auto ms = text::numberFromText(value);
-  if (!ms || *ms < 8 || *ms > 50 || *ms != std::floor(*ms))
+  if (!ms || *ms < kShortestPeriod.count() || *ms > kLongestPeriod.count() || *ms != std::floor(*ms))
     refuse("Robot", key, value, "give a whole number of ms from 8 to 50 (16, or 8 when only goals are sent)");
   return std::chrono::milliseconds{static_cast<int>(*ms)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <iterator>
 #include <stdexcept>
 
 #include "connect/messages.hpp"
@@ -9,18 +10,15 @@
 #include "connect/start_pose_findings.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/host_checks.hpp"
+#include "hal/cm730/diagnosis/port_check.hpp"
 #include "hal/cm730/diagnosis/probe.hpp"
 #include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/serial_port.hpp"
+#include "hal/cm730/usb_serial.hpp"
 
 namespace darwinop::connect {
 namespace {
-
-constexpr Nanos kShortestPeriod{8'000'000};
-// Servos and buttons are watched a reading at a time: with this period MODE, held for 0.25 s, is read five times, and a
-// servo that has restarted is found within 1.4 s.
-constexpr Nanos kLongestPeriod{50'000'000};
 
 std::string problemText(const cm730::Findings& findings) {
   std::string text;
@@ -62,6 +60,8 @@ cm730::ProbeOptions probeOptions(const SerialRobot& robot) {
 cm730::ProbeReport check(ByteLine& line, const SerialRobot& robot, cm730::Purpose purpose) {
   cm730::ProbeReport report = cm730::probe(line, probeOptions(robot));
   report.findings.push_back(cm730::clockRow(cm730::clockResolution()));
+  std::ranges::move(cm730::latencyRows(robot.port, cm730::latencyTimer(robot.port)),
+                    std::back_inserter(report.findings));
   const cm730::Policy policy = cm730::decide(report.findings, purpose);
   if (policy < cm730::Policy::kWait) return report;
   const std::string text = "the robot on " + robot.port + messages::kCannotBeDriven + problemText(report.findings) +

@@ -1,6 +1,7 @@
 // The bus of a robot on a serial port, opened and checked.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,6 +16,11 @@
 #include "safety/config.hpp"
 
 namespace darwinop::connect {
+
+/// Of a loop on a serial port. Shorter: a cycle takes up to 5.5 ms on the bus. Longer: servos and buttons are watched a
+/// reading at a time; with 50 ms MODE, held for 0.25 s, is read five times, and a servo that has restarted is found
+/// within 1.4 s.
+inline constexpr std::chrono::milliseconds kShortestPeriod{8}, kLongestPeriod{50};
 
 /// Configuration of a robot on a serial port.
 struct SerialRobot {
