@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/json/json_text.hpp"
+#include "core/text/shell_word.hpp"
 #include "gap/case/body/body_check.hpp"
 #include "gap/export/body/body_export.hpp"
 #include "gap/identify/body/body_identification.hpp"
@@ -58,11 +59,11 @@ namespace {
 int searchRobot(const BodyCase& read, const Arguments& given, const std::string& folder) {
   const BodyIdentification found = identify(read);
   BodyReport report = reportOf(read, found, modelText(given, read));
-  const std::string on = shellWord(given.folder);
+  const std::string on = text::shellWord(given.folder);
   report.commands = {"darwinop gap run" + modelOption(given) + " " + on};
   if (!report.answer["effects"].empty()) {
     report.commands.push_back("darwinop gap add" + modelOption(given) + " " + on + " " +
-                              shellWord(folder + "/report.json") + " --out repaired.ini");
+                              text::shellWord(folder + "/report.json") + " --out repaired.ini");
     report.commands.push_back("darwinop gap locate --model repaired.ini " + on);
   }
   std::cout << (given.json ? jsonText(report.answer, 1) + "\n" : asText(found));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/text/shell_word.hpp"
 #include "gap/case/bam_log.hpp"
 #include "gap/case/grouped_notes.hpp"
 #include "gap/case/robot/joint_case.hpp"
@@ -48,7 +49,7 @@ void refuseToOverwrite(const Case& made, const fs::path& folder) {
   if (has_model) files.emplace_back(folder / "model.ini", twin::writeModel(made.model));
   for (const auto& [file, text] : files)
     if (fs::exists(file) && textOf(file.string()) != text)
-      throw std::runtime_error(file.string() + messages::kOtherCase + shellWord(folder.string()) +
+      throw std::runtime_error(file.string() + messages::kOtherCase + text::shellWord(folder.string()) +
                                ", or give another folder with --report");
 }
 

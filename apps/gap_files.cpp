@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/text/shell_word.hpp"
 #include "gap/report/data_hash.hpp"
 #include "hal/process/child_process.hpp"
 #include "hal/text_file.hpp"
@@ -117,7 +118,7 @@ void showReport(const Arguments& given, const std::string& folder, bool has_effe
 }
 
 std::string modelOption(const Arguments& given) {
-  return given.model.empty() ? "" : " --model " + shellWord(given.model);
+  return given.model.empty() ? "" : " --model " + text::shellWord(given.model);
 }
 
 }  // namespace darwinop::gap

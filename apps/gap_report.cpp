@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/json/json_text.hpp"
+#include "core/text/shell_word.hpp"
 #include "gap/case/body/body_case.hpp"
 #include "gap/case/folder_files.hpp"
 #include "gap/case/raw_folder.hpp"
@@ -89,12 +90,12 @@ int searchServo(const Case& read, const Arguments& given, const std::string& fol
   const Outcome outcome = investigate(read, options);
   Report report = reportOf(read, outcome, startModel(given, read));
   progress.end();
-  const std::string on = shellWord(given.folder);
+  const std::string on = text::shellWord(given.folder);
   report.commands = {"darwinop gap run" + modelOption(given) + " " + on,
-                     "darwinop gap add" + modelOption(given) + " " + on + " " + shellWord(folder + "/report.json") +
-                         " --out repaired.ini",
+                     "darwinop gap add" + modelOption(given) + " " + on + " " +
+                         text::shellWord(folder + "/report.json") + " --out repaired.ini",
                      "darwinop gap report --after repaired.ini" +
-                         (given.model.empty() ? "" : " --before " + shellWord(given.model)) + " " + on};
+                         (given.model.empty() ? "" : " --before " + text::shellWord(given.model)) + " " + on};
   const int code = exitCodeOf(outcome.identification.verdict);
   if (!Ranks::isFirst()) return code;
   std::cout << (given.json ? jsonText(asJson(read, outcome), 1) + "\n" : asText(report)) << std::flush;
@@ -133,8 +134,9 @@ int compareModels(const Arguments& given) {
   const Case read = readCase(given.folder);
   const std::string before = given.before.empty() ? caseModel(read) : textOf(twin::findModel(given.before));
   Report report = reportOn(read, before, textOf(twin::findModel(given.after)));
-  report.commands = {"darwinop gap report" + (given.before.empty() ? "" : " --before " + shellWord(given.before)) +
-                     " --after " + shellWord(given.after) + " " + shellWord(given.folder)};
+  report.commands = {"darwinop gap report" +
+                     (given.before.empty() ? "" : " --before " + text::shellWord(given.before)) + " --after " +
+                     text::shellWord(given.after) + " " + text::shellWord(given.folder)};
   std::cout << (given.json ? jsonText(asJson(report), 1) + "\n" : asText(report)) << std::flush;
   if (!given.no_report) writeAndShow(report, given, reportFolder(given, read.name + "-compared"));
   return 0;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "experiments/format/quantity.hpp"
 #include "gap/plan/experiment_text.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -41,14 +41,11 @@ std::string fileOf(const NextExperiments& next, const Ranked& ranked) {
 std::vector<std::string> writeBest(const NextExperiments& next, const std::string& folder, std::size_t most) {
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (failed) throw std::runtime_error(folder + ": cannot be made: " + failed.message());
+  if (failed) throw std::runtime_error("cannot create " + folder + ": " + failed.message());
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < std::min(most, next.ranked.size()); ++i) {
     paths.push_back((fs::path{folder} / (next.ranked[i].vetted.candidate.experiment.name + ".ini")).string());
-    std::ofstream file{paths.back()};
-    file << fileOf(next, next.ranked[i]);
-    file.close();
-    if (!file) throw std::runtime_error(paths.back() + ": cannot be written; is there room, and may you write there?");
+    writeTextFile(paths.back(), fileOf(next, next.ranked[i]));
   }
   return paths;
 }

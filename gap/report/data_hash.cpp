@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/text/shell_word.hpp"
 #include "hal/text_file.hpp"
 
 namespace darwinop::gap {
@@ -43,16 +44,8 @@ std::string dataHash(const std::string& folder, const std::vector<std::string>& 
 
 std::string hashCommand(const Case& given) {
   std::string command = "cat";
-  for (const std::string& name : filesOf(given)) command += " " + shellWord(name);
+  for (const std::string& name : filesOf(given)) command += " " + text::shellWord(name);
   return command + " | sha256sum";
-}
-
-std::string shellWord(const std::string& text) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,@%+";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string{"'\\''"} : std::string{c};
-  return quoted + "'";
 }
 
 }  // namespace darwinop::gap

@@ -20,7 +20,4 @@ std::string dataHash(const std::string& folder, const std::vector<std::string>& 
 /// That command, to be run in the folder of the case.
 std::string hashCommand(const Case& given);
 
-/// A word for a POSIX shell, in quotes where it needs them.
-std::string shellWord(const std::string& text);
-
 }  // namespace darwinop::gap

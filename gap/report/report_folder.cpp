@@ -1,13 +1,11 @@
 #include "gap/report/report_folder.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "hal/text_file.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 
@@ -22,10 +20,11 @@ void writeReportFolder(const std::string& folder, const std::vector<std::pair<st
       std::filesystem::rename(path, path.string() + ".before", wrong);
       if (wrong) throw std::runtime_error("cannot replace " + path.string() + ": " + wrong.message() + kRemedy);
     }
-    std::ofstream file{path, std::ios::binary};
-    file << text;
-    file.close();
-    if (!file) throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno) + kRemedy);
+    try {
+      writeTextFile(path, text);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(error.what() + std::string{kRemedy});
+    }
   }
 }
 

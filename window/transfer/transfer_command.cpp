@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/text/shell_word.hpp"
+
 namespace darwinop::window {
 namespace {
 
@@ -55,15 +57,6 @@ std::vector<std::string> actionArguments(const TransferStart& start) {
   }
 }
 
-/// For display: quoted where a shell requires it.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-:@%+=,~";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string out = "'";
-  for (const char letter : word) out += letter == '\'' ? std::string{R"('\'')"} : std::string{letter};
-  return out + "'";
-}
-
 bool holdsController(const fs::path& folder) {
   std::error_code unknown;
   for (const auto& entry : fs::directory_iterator{folder, unknown})
@@ -89,7 +82,7 @@ std::vector<std::string> installerArguments(const TransferStart& start) {
 
 std::string typedCommand(const std::vector<std::string>& arguments) {
   std::string text = "darwinop install";
-  for (const std::string& word : arguments) text += " " + quoted(word);
+  for (const std::string& word : arguments) text += " " + text::shellWord(word);
   return text;
 }
 

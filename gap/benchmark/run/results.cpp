@@ -1,13 +1,12 @@
 #include "gap/benchmark/run/results.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <utility>
 
 #include "core/json/json_text.hpp"
+#include "hal/write_text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -68,17 +67,8 @@ void Results::load() {
   }
 }
 
-// Written to another file first, so that a reader, or a kill, never meets half a file.
 void Results::save() const {
-  if (path_.empty()) return;
-  const std::string fresh = path_ + ".part";
-  std::ofstream file{fresh, std::ios::binary};
-  file << jsonText(all(), 1) << '\n';
-  file.close();
-  std::error_code error;
-  if (file) fs::rename(fresh, path_, error);
-  if (!file || error)
-    throw std::runtime_error("cannot write " + path_ + ": " + (error ? error.message() : std::strerror(errno)));
+  if (!path_.empty()) writeTextFile(path_, jsonText(all(), 1) + '\n');
 }
 
 }  // namespace darwinop::gap

@@ -7,6 +7,7 @@
 #include "core/text/formatted.hpp"
 #include "core/text/joined.hpp"
 #include "core/text/nearest.hpp"
+#include "core/text/shell_word.hpp"
 #include "core/text/template.hpp"
 #include "core/text/unit_factor.hpp"
 
@@ -18,6 +19,14 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr std::array<std::string_view, 3> kKnown{"coulomb", "viscous", "backlash"};
+
+TEST(ShellWord, IsQuotedWhereAShellWouldReadItOtherwise) {
+  EXPECT_EQ(shellWord("case/fit_1.csv"), "case/fit_1.csv");
+  EXPECT_EQ(shellWord("a b"), "'a b'");
+  EXPECT_EQ(shellWord("it's"), R"('it'\''s')");
+  EXPECT_EQ(shellWord("~/walk"), "'~/walk'") << "an argument is not expanded";
+  EXPECT_EQ(shellWord(""), "''");
+}
 
 TEST(Nearest, IgnoresCaseAndFindsOneOrTwoMistakes) {
   EXPECT_EQ(nearest("Colomb", kKnown), "coulomb");
