@@ -70,12 +70,11 @@ constexpr NewtonMeter torqueFromRegister(std::uint16_t raw) {
   return NewtonMeter{(raw & 1023) * kMaxTorqueNm / kTorqueMax};
 }
 
-// Source: MX-28 manual: Kp = P / 8.
-inline constexpr double kRegisterPerKp = 8;
+inline constexpr double kRegisterPerKp = 1 / kGainPerCount;
 
 /// P gain register (28), 0..254.
 inline std::uint8_t registerFromPGain(double kp) {
-  return static_cast<std::uint8_t>(nearestWithin(kp * kRegisterPerKp, 0, 254));
+  return static_cast<std::uint8_t>(nearestWithin(kp * kRegisterPerKp, 0, kMaxPGain * kRegisterPerKp));
 }
 
 /// Registers in tenths of a volt (MX-28 42, CM-730 50).

@@ -40,6 +40,8 @@ enum class Reaction : std::uint8_t {
   kLimp,         // torque off; the robot may drop
   kStopSending,  // nothing is sent to a bus that does not reply
 };
+inline constexpr std::array<std::string_view, 6> kReactionNames{"report", "slow", "hold",
+                                                                "kneel",  "limp", "stop_sending"};
 
 /// Cycles in which the cause of a fault is checked; its times count these cycles only.
 enum class Checked : std::uint8_t {

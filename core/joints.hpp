@@ -40,6 +40,7 @@ enum class Joint : std::uint8_t {
 
 /// Daisy chain of a servo. A broken lead disconnects this servo and all behind it.
 enum class Chain : std::uint8_t { kRightArm, kLeftArm, kHead, kRightLeg, kLeftLeg };
+inline constexpr std::array<std::string_view, 5> kChainNames{"right_arm", "left_arm", "head", "right_leg", "left_leg"};
 
 struct JointRow {
   std::uint8_t id;              // Dynamixel id, 1..20

@@ -1,5 +1,6 @@
-// Every tuned constant of the identification, with its unit, what it does, and the evidence for its value. What half
-// and twice of each do to cases of another simulator: tests/gap/sensitivity.tsv, printed by tools/gap-sensitivity.sh.
+// Tuned constants of the identification, with unit, what they do, and the evidence for their values. What half and
+// twice of those of one servo do to cases of another simulator: tests/gap/sensitivity.tsv, printed by
+// tools/gap-sensitivity.sh. Those of the whole robot and of its floor have not been varied yet.
 //
 // "No evidence yet": chosen by judgement; none or fewer than five of these cases have shown what another value does.
 // Limits of what counts as a plausible recording stand beside their checks in gap/case: they are facts about servos and

@@ -12,9 +12,6 @@
 namespace darwinop::monitor {
 namespace {
 
-constexpr std::array kChains{"right_arm", "left_arm", "head", "right_leg", "left_leg"};
-constexpr std::array kReactions{"report", "slow", "hold", "kneel", "limp", "stop_sending"};
-
 template <std::size_t N>
 Json textOfArray(const char (&text)[N]) {
   return std::string{text, strnlen(text, N)};
@@ -27,7 +24,7 @@ Json jointTable() {
                       {"name", row.name},
                       {"sensor", std::string{row.name} + "S"},
                       {"meaning", row.anatomical},
-                      {"chain", kChains[static_cast<std::size_t>(row.chain)]},
+                      {"chain", kChainNames[static_cast<std::size_t>(row.chain)]},
                       {"low", rounded(radFromTicks(row.low).value)},
                       {"high", rounded(radFromTicks(row.high).value)},
                       {"start", rounded(radFromTicks(row.start).value)}});
@@ -41,7 +38,7 @@ Json faultTable() {
                       {"name", row.name},
                       {"meaning", row.meaning},
                       {"remedy", row.remedy},
-                      {"reaction", kReactions[static_cast<std::size_t>(row.reaction)]},
+                      {"reaction", kReactionNames[static_cast<std::size_t>(row.reaction)]},
                       {"latched", row.latched}});
   return faults;
 }

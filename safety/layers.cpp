@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/text/ini_text.hpp"
 #include "core/text/number_text.hpp"
 
 namespace darwinop::safety {
@@ -77,10 +78,8 @@ Config layered(const Layer& robot, const Layer& controller) {
   try {
     config.check();
   } catch (const std::runtime_error& wrong) {
-    std::string_view sentence = wrong.what();
-    constexpr std::string_view kFile = "config.ini, ";
-    if (sentence.starts_with(kFile)) sentence.remove_prefix(kFile.size());
-    throw std::runtime_error(robot.file + " and " + controller.file + " together: " + std::string{sentence});
+    throw std::runtime_error(robot.file + " and " + controller.file +
+                             " together: " + std::string{text::withoutFile(wrong.what())});
   }
   return config;
 }

@@ -50,7 +50,7 @@ sub check {
 
 my @files = @ARGV;
 if (!@files) {
-  my @patterns = qw(*.md *.hpp *.cpp *.h *.c *.sh *.pl *.py *.cmake *CMakeLists.txt *.js *.mjs *.html *.css *.ini *.pml dev);
+  my @patterns = qw(*.md *.hpp *.cpp *.h *.c *.sh *.pl *.py *.cmake *CMakeLists.txt *.js *.mjs *.html *.css *.ini *.pml *.table *.tsv dev);
   my $patterns = join ' ', map { "'$_'" } @patterns;
   @files = grep { -f && !m{^(?:tests/webots/api/2013|tests/fuzz/corpus)/} }
     split /\n/, `git ls-files --cached --others --exclude-standard --deduplicate -- $patterns`;

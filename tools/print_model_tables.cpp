@@ -26,8 +26,7 @@ void printStates() {
 }
 
 void printFaults() {
-  constexpr std::string_view kReactions[] = {"report", "slow", "hold", "kneel", "limp", "stop_sending"};
-  for (std::size_t i = 0; i < std::size(kReactions); ++i) define("RE_", kReactions[i], i);
+  for (std::size_t i = 0; i < kReactionNames.size(); ++i) define("RE_", kReactionNames[i], i);
   for (std::size_t i = 0; i < kFaults; ++i) define("FA_", kFaultTable[i].name, i);
   define("N", "FAULTS", kFaults);
   define("ANSWER_", "PATIENCE", kAnswerPatience);

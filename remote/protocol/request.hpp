@@ -12,8 +12,7 @@ namespace darwinop::remote {
 
 inline constexpr std::uint16_t kUsualPort = 5023;
 inline constexpr std::uint8_t kFirstByte = 'W';
-inline constexpr std::size_t kRequestHead = 3;  // 'W' and the length, 16 bits, little-endian
-inline constexpr std::size_t kShortestRequest = 4;
+inline constexpr std::size_t kRequestHead = 3;          // 'W' and the length, 16 bits, little-endian
 inline constexpr std::size_t kLongestOldRequest = 912;  // every section of the 2013 protocol as often as allowed
 inline constexpr std::size_t kExtensionContent = 17;
 inline constexpr std::size_t kLongestRequest = kLongestOldRequest + 3 + kExtensionContent;

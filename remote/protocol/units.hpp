@@ -1,5 +1,5 @@
-// Conversion between wire units and SI units. Both directions truncate towards zero, as the clients of 2013 do, so that
-// the robot moves to the same tick.
+// Conversion between wire units and SI units. The server truncates towards zero, as that of 2013 does, and so do the
+// clients of 2013; the client of this project rounds (remote/client/command_delta.cpp).
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ inline std::int32_t cut(double value) {
   return std::abs(value) < 2147483648.0 ? static_cast<std::int32_t>(value) : kNoValue;
 }
 
-// Client to server.
+// Client to server; the first two as clients of 2013.
 inline std::int32_t wireFromPosition(double rad) {
   return cut(rad * 2048.0 / kPi);  // 0 is the centre, 1 is 1.534 mrad
 }

@@ -71,7 +71,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:Recovery.AfterALostLinkJointsRestartWhereTheyAreAndCatchUpGently "
      "hazard_reaction_test:Reaction.AJointThatWasMovedDuringAnOutageRestartsWhereItIs"},
     {"H203", "A servo keeps its torque after torque off", "the broadcast is lost",
-     "repeated until a reading confirms it", "torque enable read once a second",
+     "repeated until a reading confirms it", "torque enable read every 20 cycles",
      "safety_test:Driving.ALostTorqueOffIsSentAgain "
      "hazard_reaction_test:Reaction.ALostTorqueOffIsRepeated"},
     {"H204", "A joint stays limp in a stance", "torque on is lost", "a lost torque on is repeated", "taken over again",

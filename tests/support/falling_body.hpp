@@ -23,7 +23,6 @@ class FallingBody : public hil::PlainBody {
   /// From now on joints fall and edges are recorded.
   void arm() { armed_ = true; }
   [[nodiscard]] const std::vector<TorqueOn>& torqueOn() const { return edges_; }
-  void forgetEdges() { edges_.clear(); }
 
   void step(Nanos dt, const Drives& drives) noexcept override {
     const double seconds = std::chrono::duration<double>(dt).count();

@@ -59,7 +59,7 @@ const EffectInfo kCoulomb{{
     .step_demand = StepDemand::kNone,
     .synthetic = {.pair_rank = 4},
     .exports = {.webots = approximated(
-                    "staticFriction: brakes and holds the limp joint; a motor that moves by speed overcomes it unseen"),
+                    "staticFriction: brakes and holds the limp joint; a motor driven by speed shows none of it"),
                 .mujoco = held("frictionloss"),
                 .urdf = held("dynamics friction")},
     .other_names = kOtherNames,

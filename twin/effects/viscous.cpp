@@ -53,8 +53,8 @@ const EffectInfo kViscous{{
     .aliases = kAliases,
     .step_demand = StepDemand::kNone,
     .synthetic = {.pair_rank = 5},
-    .exports = {.webots = approximated(
-                    "dampingConstant: brakes the limp joint; a motor that moves by speed overcomes it unseen"),
+    .exports = {.webots =
+                    approximated("dampingConstant: brakes the limp joint; a motor driven by speed shows none of it"),
                 .mujoco = held("damping"),
                 .urdf = held("dynamics damping")},
     .other_names = kOtherNames,

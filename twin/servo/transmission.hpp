@@ -38,7 +38,6 @@ class Transmission {
   /// Inertia that an arm of `arm_kgm2` counts with: at least 1 % of the rotor's.
   [[nodiscard]] double armInertia(double arm_kgm2) const noexcept;
 
-  [[nodiscard]] double gearRad() const noexcept { return position_; }
   [[nodiscard]] double gearVelocity() const noexcept { return velocity_; }
   /// Of rotor and spring, J.
   [[nodiscard]] double energy_j(const Signals& s, double arm_rad) const noexcept;

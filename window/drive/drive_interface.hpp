@@ -14,7 +14,7 @@
 
 namespace darwinop::window {
 
-inline constexpr std::size_t kLimbs = 5;  // a limb is a daisy chain: both arms, head, both legs
+inline constexpr std::size_t kLimbs = kChainNames.size();  // a limb is a daisy chain: both arms, head, both legs
 
 /// `walk` holds until it is changed; all other requests are executed once.
 struct DriveRequests {

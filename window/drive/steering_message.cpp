@@ -7,25 +7,20 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "core/text/joined.hpp"
+
 namespace darwinop::window {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, kLimbs> kLimbNames{"right_arm", "left_arm", "head", "right_leg", "left_leg"};
 constexpr int kLastPage = 255;
-
-std::optional<Joint> jointOfName(const std::string& name) {
-  for (std::size_t i = 0; i < kJoints; ++i)
-    if (kJointTable[i].name == name) return static_cast<Joint>(i);
-  return std::nullopt;
-}
 
 /// Each parser returns an error text or an empty string.
 std::string takeGoals(const Json& goals, DriveRequests& requests) {
   if (!goals.is_object()) return "\"goals\" must be an object: {\"Neck\": 0.3}";
   for (const auto& [name, angle] : goals.items()) {
-    const std::optional<Joint> joint = jointOfName(name);
+    const std::optional<Joint> joint = findJoint(name);
     if (!joint) return "unknown joint; \"hello\" of the monitor lists them";
     if (!angle.is_number() || !std::isfinite(angle.get<double>())) return "a goal must be a number, in rad";
     requests.goals[index(*joint)] = Rad{angle.get<double>()};
@@ -59,10 +54,10 @@ std::string takePage(const Json& page, DriveRequests& requests) {
 std::string takeTorque(const Json& torque, DriveRequests& requests) {
   if (!torque.is_object()) return "\"torque\" must be an object: {\"left_arm\": false}";
   for (const auto& [name, on] : torque.items()) {
-    const auto found = std::ranges::find(kLimbNames, name);
-    if (found == kLimbNames.end()) return "unknown limb; use right_arm, left_arm, head, right_leg or left_leg";
+    const auto found = std::ranges::find(kChainNames, name);
+    if (found == kChainNames.end()) return "unknown limb; use one of " + text::joined(kChainNames, ", ");
     if (!on.is_boolean()) return "torque must be true (on) or false (off)";
-    requests.torque[static_cast<std::size_t>(found - kLimbNames.begin())] = on.get<bool>();
+    requests.torque[static_cast<std::size_t>(found - kChainNames.begin())] = on.get<bool>();
   }
   return {};
 }
@@ -70,7 +65,7 @@ std::string takeTorque(const Json& torque, DriveRequests& requests) {
 }  // namespace
 
 std::string_view limbName(std::size_t limb) {
-  return kLimbNames.at(limb);
+  return kChainNames.at(limb);
 }
 
 std::optional<SteeringMessage> parseSteering(std::string_view text, std::string& why) {

@@ -93,11 +93,6 @@ class WebClient {
       }
     }
   }
-  /// The next message if it has arrived already.
-  std::optional<ReceivedMessage> receiveNow() {
-    (void)readSocket();
-    return next();
-  }
   /// All bytes that have arrived and were not parsed.
   const std::string& pendingBytes() {
     (void)readSocket();
