@@ -41,11 +41,11 @@ std::string bodyCaseJson(const std::string& name, const std::string& model, Reco
                          const std::vector<MadeRecording>& made) {
   Object trust{{"exact", true}};
   // Masses and servos differ by as much as makers allow; dry friction by half from joint to joint; the sensor's biases
-  // are those of its data sheet, warmed up.
+  // are those of its data sheet, warmed up. A stand is set with a spirit level, to about half a degree.
   if (robot == RecordedRobot::kPhysical)
-    trust = {{"body.mass", 0.03},           {"body.com_m", 0.003},       {"servo", 0.05},
-             {"servo.armature", 0.2},       {"servo.duty_per_kp", 0.03}, {"friction", 0.5},
-             {"imu.gyro_bias_rad_s", 0.05}, {"imu.accel_bias_m_s2", 0.3}};
+    trust = {{"body.mass", 0.03},           {"body.com_m", 0.003},        {"servo", 0.05},
+             {"servo.armature", 0.2},       {"servo.duty_per_kp", 0.03},  {"friction", 0.5},
+             {"imu.gyro_bias_rad_s", 0.05}, {"imu.accel_bias_m_s2", 0.3}, {std::string{kUpSigma}, 0.01}};
   Object logs = Object::array();
   for (const MadeRecording& one : made) {
     Object log{{"file", one.plan.file},

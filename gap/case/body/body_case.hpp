@@ -47,6 +47,9 @@ struct BodyLog {
   [[nodiscard]] std::size_t rows() const { return time_s.size(); }
 };
 
+/// Key of `trust`: by how much the declared direction of a clamped trunk is off about each axis, rad.
+inline constexpr std::string_view kUpSigma = "up_rad";
+
 struct BodyCase {
   std::string name, folder;
   std::string model;  // as case.json names it: a file in the folder, or a shipped model

@@ -43,7 +43,8 @@ const std::vector<TrustKey>& trustKeys() {
                                            {"floor_friction", {}},
                                            {"contact_time", {}},
                                            {kGyroBias, {}},
-                                           {"imu.accel_bias_m_s2", {}}};
+                                           {"imu.accel_bias_m_s2", {}},
+                                           {kUpSigma, {}}};
   return kKeys;
 }
 

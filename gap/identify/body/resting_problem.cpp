@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "gap/identify/body/sensor_effect.hpp"
+#include "gap/localize/body/resting_noise.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -84,37 +85,45 @@ double meanEvidence(const std::vector<double>& twice_logarithms) {
 
 }  // namespace
 
-RestingProblem::RestingProblem(const BodyCase& given, const RestingImu& imu, ImuSensor sensor)
-    : imu_{imu}, sensor_{sensor}, logs_{restingReadings(given, sensor)} {
+RestingProblem::RestingProblem(const BodyCase& given, const RestingImu& imu, ImuSensor sensor, bool held_out)
+    : given_{given}, imu_{imu}, sensor_{sensor}, logs_{restingReadings(given, sensor, held_out)} {
   const auto n = static_cast<Eigen::Index>(logs_.size());
-  const double bias_sigma = given.sigmaOf(biasKeyOf(sensor));
-  measured_.resize(3 * n);
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(3 * n, 3 * n);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const Eigen::Index at = axis * n;
-    covariance.block(at, at, n, n).setConstant(bias_sigma * bias_sigma);  // one bias for all logs
+  Eigen::VectorXd all(3 * n);
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
     for (Eigen::Index i = 0; i < n; ++i) {
       const RestingReading& log = logs_[static_cast<std::size_t>(i)];
-      measured_[at + i] = log.mean[axis];
-      covariance(at + i, at + i) += log.sigma[axis] * log.sigma[axis];
+      all[axis * n + i] = log.mean[axis];
+      if (log.isKnown(axis)) known_.push_back(axis * n + i);
     }
-  }
-  factor_ = covariance.llt().matrixL();
+  measured_ = all(known_);
+  straight_ = noiseFor({1, 2, 3});
 }
 
-Eigen::VectorXd RestingProblem::whitened(const RestingImu::Deviation& deviation) const {
+RestingProblem::Noise RestingProblem::noiseFor(const std::array<int, 3>& map) const {
+  const Eigen::MatrixXd covariance = restingCovariance(given_, imu_, sensor_, logs_, matrixOf(map))(known_, known_);
+  Eigen::MatrixXd factor = covariance.llt().matrixL();
+  const double log_determinant = 2 * factor.diagonal().array().log().sum();
+  return {std::move(factor), log_determinant};
+}
+
+Eigen::VectorXd RestingProblem::whitened(const RestingImu::Deviation& deviation, const Noise& noise) const {
   const auto n = static_cast<Eigen::Index>(logs_.size());
-  Eigen::VectorXd residual = measured_;
+  Eigen::VectorXd expected(3 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Vector3d expected = imu_.reading(sensor_, logs_[static_cast<std::size_t>(i)].up, deviation);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) residual[axis * n + i] -= expected[axis];
+    const Eigen::Vector3d reading = imu_.reading(sensor_, logs_[static_cast<std::size_t>(i)].up, deviation);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) expected[axis * n + i] = reading[axis];
   }
-  return factor_.triangularView<Eigen::Lower>().solve(residual);
+  return noise.factor.triangularView<Eigen::Lower>().solve(measured_ - expected(known_));
 }
 
-double RestingProblem::solve(SensorFit& fit, const std::vector<Eigen::Index>& free) const {
+double RestingProblem::misfitOf(const SensorFit& fit) const {
+  const Noise noise = noiseFor(fit.map);
+  return whitened(fit.deviation, noise).squaredNorm() + noise.log_determinant - straight_.log_determinant;
+}
+
+double RestingProblem::solve(SensorFit& fit, const std::vector<Eigen::Index>& free, const Noise& noise) const {
   const Eigen::Index numbers = 3 * (std::ssize(fit.effects) - std::ranges::count_if(fit.effects, isMap));
-  const auto at = [&](const Eigen::VectorXd& x) { return whitened(deviationOf(fit, x)); };
+  const auto at = [&](const Eigen::VectorXd& x) { return whitened(deviationOf(fit, x), noise); };
   const Eigen::Index count = std::ssize(free);
   fit.values = Eigen::VectorXd::Zero(numbers);
   Eigen::VectorXd z = at(fit.values);
@@ -135,7 +144,7 @@ double RestingProblem::solve(SensorFit& fit, const std::vector<Eigen::Index>& fr
   fit.deviation = deviationOf(fit, fit.values);
   fit.chi2 = z.squaredNorm();
   fit.sigmas = normal.inverse().diagonal().cwiseSqrt();  // of the free numbers
-  return -fit.chi2 - fit.values.squaredNorm() -
+  return -fit.chi2 - (noise.log_determinant - straight_.log_determinant) - fit.values.squaredNorm() -
          2 * Eigen::MatrixXd{normal.llt().matrixL()}.diagonal().array().log().sum();
 }
 
@@ -148,8 +157,10 @@ SensorFit RestingProblem::fit(std::vector<const SensorEffect*> effects) const {
   const auto names = static_cast<double>(sensorEffects().size());
   for (const std::array<int, 3>& map : maps) {
     out.map = map;
+    const Noise noise = noiseFor(map);
     std::vector<double> evidences;
-    for (const std::vector<Eigen::Index>& free : sets) evidences.push_back(solve(out, free));  // all free at last
+    for (const std::vector<Eigen::Index>& free : sets)
+      evidences.push_back(solve(out, free, noise));  // all free at last
     out.evidence = meanEvidence(evidences) - 2 * static_cast<double>(out.effects.size()) * std::log(names) -
                    2 * std::log(static_cast<double>(maps.size()));
     if (std::abs(out.evidence - best.evidence) < kSameEvidence * (1 + std::abs(best.evidence)))

@@ -40,25 +40,35 @@ struct SensorFit {
   [[nodiscard]] bool extends(const SensorFit& other) const;
 };
 
-/// The readings of one sensor in all logs with a clamped trunk, as one vector.
+/// The readings of one sensor in the logs with a clamped trunk that are held out, or in the others, as one vector.
 class RestingProblem {
  public:
-  RestingProblem(const BodyCase& given, const RestingImu& imu, ImuSensor sensor);
+  RestingProblem(const BodyCase& given, const RestingImu& imu, ImuSensor sensor, bool held_out = false);
 
   /// Most probable values of the numbers of these effects. For a map, the best of the 47.
   [[nodiscard]] SensorFit fit(std::vector<const SensorEffect*> effects) const;
+  /// Twice the negative log likelihood of these readings under a fit to any, up to a constant.
+  [[nodiscard]] double misfitOf(const SensorFit& fit) const;
   [[nodiscard]] Eigen::Index readings() const { return measured_.size(); }
 
  private:
-  [[nodiscard]] Eigen::VectorXd whitened(const RestingImu::Deviation& deviation) const;
+  /// A sensor with other axes shows the errors of the stand in other axes.
+  struct Noise {
+    Eigen::MatrixXd factor;  // of the covariance of the readings, Cholesky
+    double log_determinant;  // of the covariance
+  };
+  [[nodiscard]] Noise noiseFor(const std::array<int, 3>& map) const;
+  [[nodiscard]] Eigen::VectorXd whitened(const RestingImu::Deviation& deviation, const Noise& noise) const;
   /// With these numbers free and the others 0. Returns twice the log evidence without the price of names.
-  double solve(SensorFit& fit, const std::vector<Eigen::Index>& free) const;
+  double solve(SensorFit& fit, const std::vector<Eigen::Index>& free, const Noise& noise) const;
 
+  const BodyCase& given_;
   const RestingImu& imu_;
   ImuSensor sensor_;
   std::vector<RestingReading> logs_;
+  std::vector<Eigen::Index> known_;  // axis by axis, of all readings
   Eigen::VectorXd measured_;
-  Eigen::MatrixXd factor_;  // of the covariance of the readings, Cholesky
+  Noise straight_;  // with the model's axes
 };
 
 }  // namespace darwinop::gap

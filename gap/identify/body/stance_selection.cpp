@@ -22,8 +22,13 @@ ImuDeviation withRestingBias(const BodyCase& given, ImuDeviation imu) {
   const std::vector<RestingReading> readings = restingReadings(given, ImuSensor::kGyro);
   if (readings.empty() || !imu.gyro.bias.isZero()) return imu;
   const RestingImu resting{given.joints.model};
-  for (const RestingReading& one : readings)
-    imu.gyro.bias += (one.mean - resting.reading(ImuSensor::kGyro, one.up)) / static_cast<double>(readings.size());
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto known = std::ranges::count_if(readings, [&](const auto& one) { return one.isKnown(axis); });
+    for (const RestingReading& one : readings)
+      if (one.isKnown(axis))
+        imu.gyro.bias[axis] +=
+            (one.mean[axis] - resting.reading(ImuSensor::kGyro, one.up)[axis]) / static_cast<double>(known);
+  }
   return imu;
 }
 

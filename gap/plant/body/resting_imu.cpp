@@ -15,7 +15,7 @@ namespace {
 constexpr Register kGyro = find(kCm730, "gyro_x"), kAccelerometer = find(kCm730, "accel_x");  // all axes have its scale
 
 struct ColumnMean {
-  double mean, sigma, scatter, count;
+  double mean, sigma, scatter;
 };
 
 /// Samples that count as one, by the autocorrelation over some rows (Bartlett's weights): vibration is not white.
@@ -36,7 +36,7 @@ ColumnMean meanOf(const std::vector<double>& column, double step) {
   std::vector<double> known;
   std::ranges::copy_if(column, std::back_inserter(known), [](double value) { return !std::isnan(value); });
   const auto count = static_cast<double>(known.size());
-  if (count < 2) return {std::numeric_limits<double>::quiet_NaN(), 0, 0, count};
+  if (count < 2) return {std::numeric_limits<double>::quiet_NaN(), 0, 0};
   double mean = 0, variance = 0;
   for (const double value : known) mean += value / count;
   for (const double value : known) variance += (value - mean) * (value - mean) / (count - 1);
@@ -44,7 +44,7 @@ ColumnMean meanOf(const std::vector<double>& column, double step) {
   double sigma = scatter * std::sqrt(correlatedSamples(known, mean, variance) / count);
   // With noise far below a step every reading is rounded alike, and the mean is no finer than a reading.
   if (std::sqrt(variance) < step / 4) sigma = std::hypot(sigma, rounding);
-  return {mean, sigma, scatter, count};
+  return {mean, sigma, scatter};
 }
 
 Eigen::Vector3d vectorOf(const std::array<double, 3>& values) {
@@ -69,29 +69,33 @@ std::string_view biasKeyOf(ImuSensor sensor) {
   return sensor == ImuSensor::kGyro ? "imu.gyro_bias_rad_s" : "imu.accel_bias_m_s2";
 }
 
-std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor) {
+std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor, bool held_out) {
   std::vector<RestingReading> out;
   for (std::size_t i = 0; i < given.logs.size(); ++i) {
     const BodyLog& log = given.logs[i];
-    if (!log.up || log.held_out) continue;
+    if (!log.up || log.held_out != held_out) continue;
     const AxesColumns& columns = sensor == ImuSensor::kGyro ? log.gyro_rad_s : log.accel_m_s2;
     RestingReading reading{.log = i, .up = vectorOf(*log.up), .mean = {}, .sigma = {}, .scatter = {}};
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const ColumnMean mean = meanOf(columns[static_cast<std::size_t>(axis)], stepOf(sensor));
       reading.mean[axis] = mean.mean, reading.sigma[axis] = mean.sigma, reading.scatter[axis] = mean.scatter;
-      reading.rows = mean.count;
     }
-    if (!reading.mean.hasNaN()) out.push_back(reading);
+    if (!reading.mean.array().isNaN().all()) out.push_back(reading);
   }
   return out;
 }
 
 Eigen::Vector3d readingNoise(const BodyCase& given, ImuSensor sensor) {
-  const std::vector<RestingReading> readings = restingReadings(given, sensor);
-  if (readings.empty()) return Eigen::Vector3d::Constant(stepOf(sensor) * std::hypot(0.5, 1 / std::sqrt(12.0)));
-  Eigen::Vector3d square = Eigen::Vector3d::Zero();
-  for (const RestingReading& one : readings) square += one.scatter.cwiseAbs2() / static_cast<double>(readings.size());
-  return square.cwiseSqrt();
+  Eigen::Vector3d out = Eigen::Vector3d::Constant(stepOf(sensor) * std::hypot(0.5, 1 / std::sqrt(12.0)));
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<RestingReading> readings = restingReadings(given, sensor);
+    std::erase_if(readings, [&](const RestingReading& one) { return !one.isKnown(axis); });
+    double square = 0;
+    for (const RestingReading& one : readings)
+      square += one.scatter[axis] * one.scatter[axis] / static_cast<double>(readings.size());
+    if (!readings.empty()) out[axis] = std::sqrt(square);
+  }
+  return out;
 }
 
 RestingImu::RestingImu(const twin::Model& model) : settings_{model.imu} {

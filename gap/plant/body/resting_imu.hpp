@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -27,11 +29,12 @@ struct RestingReading {
   Eigen::Vector3d mean;     // NaN: not measured
   Eigen::Vector3d sigma;    // standard deviation of the mean
   Eigen::Vector3d scatter;  // of a single reading: noise, and the step of the register
-  double rows = 0;          // with a reading
+
+  [[nodiscard]] bool isKnown(Eigen::Index axis) const { return !std::isnan(mean[axis]); }
 };
 
-/// Mean readings of the clamped logs that are not held out.
-std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor);
+/// Mean readings of the clamped logs that are held out, or of the others, with a reading in at least one axis.
+std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sensor, bool held_out = false);
 
 /// Standard deviation of one reading, for x, y and z: what clamped logs for fits show, or that of its register.
 Eigen::Vector3d readingNoise(const BodyCase& given, ImuSensor sensor);
