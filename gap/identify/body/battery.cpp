@@ -38,13 +38,15 @@ struct Point {
   double drawn_a, sag_v;
 };
 
-/// Of logs that are not held out, by the voltage of the battery that the case says.
-std::map<double, std::vector<Point>> pointsOf(const BodyCase& given) {
-  std::map<double, std::vector<Point>> out;
+using PointSets = std::vector<std::vector<Point>>;
+
+/// Of logs that are held out, or of the others: a set for each voltage of the battery that the case says.
+PointSets pointsOf(const BodyCase& given, bool held_out) {
+  std::map<double, std::vector<Point>> by_battery;
   for (std::size_t log = 0; log < given.logs.size(); ++log) {
     const BodyLog& of = given.logs[log];
-    if (of.held_out) continue;
-    std::vector<Point>& points = out[of.battery_v];
+    if (of.held_out != held_out) continue;
+    std::vector<Point>& points = by_battery[of.battery_v];
     for (std::size_t row = 0; row < of.rows() && row < of.board_v.size(); ++row) {
       double drawn = 0;
       for (std::size_t joint = 0; joint < kJoints; ++joint)
@@ -54,6 +56,8 @@ std::map<double, std::vector<Point>> pointsOf(const BodyCase& given) {
       if (std::isfinite(point.drawn_a) && std::isfinite(point.sag_v)) points.push_back(point);
     }
   }
+  PointSets out;
+  for (auto& [battery_v, points] : by_battery) out.push_back(std::move(points));
   return out;
 }
 
@@ -70,8 +74,8 @@ double shareBelow(double z) {
 struct CensoredLine {
   double resistance_ohm = 0, sigma_v = kStep, log_likelihood = 0;
 
-  /// Most probable numbers, by expectation and maximization; without a slope, the resistance stays 0.
-  static CensoredLine fitted(const std::vector<std::vector<Point>>& sets, bool has_slope);
+  /// Most probable numbers, by expectation and maximization; of a known resistance, the others.
+  static CensoredLine fitted(const PointSets& sets, std::optional<double> known_ohm = {});
 
  private:
   /// Moments of the sag within the step that was read, from the numbers so far.
@@ -93,10 +97,11 @@ CensoredLine::Moments CensoredLine::within(const Point& point, double offset_v) 
   return {mean + sigma_v * by, sigma_v * sigma_v * std::max(0.0, spread)};
 }
 
-CensoredLine CensoredLine::fitted(const std::vector<std::vector<Point>>& sets, bool has_slope) {
+CensoredLine CensoredLine::fitted(const PointSets& sets, std::optional<double> known_ohm) {
   constexpr int kMostSteps = 300;
   constexpr double kSmallGain = 1e-3;  // of the log likelihood
   CensoredLine line;
+  line.resistance_ohm = known_ohm.value_or(0);
   std::vector<double> offsets_v(sets.size(), 0.0);
   for (int step = 0; step < kMostSteps; ++step) {
     const double before = line.log_likelihood;
@@ -118,7 +123,7 @@ CensoredLine CensoredLine::fitted(const std::vector<std::vector<Point>>& sets, b
       n += rows;
     }
     if (step > 0 && line.log_likelihood - before < kSmallGain) break;
-    line.resistance_ohm = has_slope && aa > 0 ? av / aa : 0;
+    line.resistance_ohm = known_ohm.value_or(aa > 0 ? av / aa : 0);
     for (std::size_t set = 0; set < sets.size(); ++set)
       offsets_v[set] = means_v[set] - line.resistance_ohm * means_a[set];
     const double left = vv - line.resistance_ohm * (2 * av - line.resistance_ohm * aa);
@@ -127,21 +132,32 @@ CensoredLine CensoredLine::fitted(const std::vector<std::vector<Point>>& sets, b
   return line;
 }
 
+/// Twice the log likelihood ratio of a line to another one, for samples that are correlated.
+double gainOf(const CensoredLine& with, const CensoredLine& without) {
+  return 2 * (with.log_likelihood - without.log_likelihood) / thresholds::kCorrelatedSamples;
+}
+
+/// Held-out logs are less likely with this resistance than without, by more than the error of one number explains.
+bool isRefuted(const BodyCase& given, double resistance_ohm) {
+  const PointSets sets = pointsOf(given, true);
+  return gainOf(CensoredLine::fitted(sets, resistance_ohm), CensoredLine::fitted(sets, 0.0)) < -1;
+}
+
 }  // namespace
 
 std::optional<FoundBattery> identifyBattery(const BodyCase& given) {
   if (given.joints.model.servo.law != twin::Law::kVoltageP) return {};
-  std::vector<std::vector<Point>> sets;
-  for (const auto& [battery_v, points] : pointsOf(given)) sets.push_back(points);
+  const PointSets sets = pointsOf(given, false);
   double samples = 0;
   for (const std::vector<Point>& set : sets)
     samples += static_cast<double>(set.size()) / thresholds::kCorrelatedSamples;
   if (samples == 0) return {};
-  const CensoredLine with = CensoredLine::fitted(sets, true), without = CensoredLine::fitted(sets, false);
-  const double gain = 2 * (with.log_likelihood - without.log_likelihood) / thresholds::kCorrelatedSamples;
+  const CensoredLine with = CensoredLine::fitted(sets), without = CensoredLine::fitted(sets, 0.0);
+  const double gain = gainOf(with, without);
   const auto names = static_cast<double>(floorEffects(given.joints.model).size());
   const double price = std::log(samples) + 2 * std::log(names);
   if (!(with.resistance_ohm > 0) || !(gain - price > -2 * std::log(thresholds::kMechanicalChance))) return {};
+  if (isRefuted(given, with.resistance_ohm)) return {};
   FoundBattery found{.resistance_ohm = with.resistance_ohm,
                      .sigma_ohm = with.resistance_ohm / std::sqrt(gain),  // of a likelihood that is a parabola
                      .remains_v = with.sigma_v};

@@ -19,7 +19,7 @@ struct FoundBattery {
   double remains_v = 0;  // rms of what it does not explain
 };
 
-/// Logs that are not held out, law voltage_p. Nothing: there is no evidence for it.
+/// Logs that are not held out, law voltage_p. Nothing: there is no evidence for it, or held-out logs contradict it.
 std::optional<FoundBattery> identifyBattery(const BodyCase& given);
 
 std::string asText(const FoundBattery& found);

@@ -39,6 +39,12 @@ std::size_t selected(const std::vector<SensorFit>& fits) {
   return found;
 }
 
+/// Held-out logs are less likely with these effects than without, by more than the errors of their numbers explain.
+bool isRefuted(const SensorFit& fit, const RestingProblem& held_out) {
+  if (held_out.readings() == 0 || fit.effects.empty()) return false;
+  return held_out.misfitOf(fit) - held_out.misfitOf(SensorFit{}) > static_cast<double>(fit.values.size());
+}
+
 }  // namespace
 
 std::vector<SensorSelection> identifySensors(const BodyCase& given, const RestingImu& imu, const BodyTable& table) {
@@ -49,7 +55,10 @@ std::vector<SensorSelection> identifySensors(const BodyCase& given, const Restin
     std::vector<SensorFit> fits;
     for (auto& set : setsOf(sensor)) fits.push_back(problem.fit(std::move(set)));
     std::ranges::stable_sort(fits, std::greater{}, &SensorFit::evidence);
-    const std::size_t found = selected(fits);
+    const RestingProblem held_out{given, imu, sensor, true};
+    std::size_t found = selected(fits);
+    for (; isRefuted(fits[found], held_out); found = selected(fits))
+      fits.erase(fits.begin() + static_cast<std::ptrdiff_t>(found));
     SensorSelection one{.sensor = sensor, .found = fits[found], .rivals = {}};
     for (std::size_t i = 0; i < fits.size(); ++i)
       if (i != found && isClose(fits[i], fits[found]) && !fits[i].extends(fits[found])) one.rivals.push_back(fits[i]);

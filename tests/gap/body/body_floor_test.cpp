@@ -128,6 +128,13 @@ TEST(BodyFloor, TheResistanceOfABatteryIsNamedByTheVoltageOfTheBoard) {
   EXPECT_FALSE(identifyBattery(known)) << "the model has it";
 }
 
+TEST(BodyFloor, AResistanceThatAHeldOutLogContradictsHasNoName) {
+  BodyCase given = withBattery(0.5);
+  for (BodyLog& log : given.logs)
+    if (log.held_out) log.board_v.assign(log.rows(), log.battery_v);
+  EXPECT_FALSE(identifyBattery(given));
+}
+
 TEST(BodyFloor, WithoutSuchARecordingNothingIsLookedFor) {
   BodyCase given = standingRobot(shippedOnFloor());
   for (BodyLog& log : given.logs) log.held_out = true;

@@ -75,5 +75,17 @@ TEST(RestingStand, ARepeatInTheSamePlacementAddsNoEvidenceAgainstTheStand) {
   EXPECT_GT(significance(), repeated + 0.5);
 }
 
+TEST(RestingStand, AnEffectThatAHeldOutLogContradictsHasNoName) {
+  SyntheticRobot biased;
+  biased.accel_bias = {0, -0.3, 0.1};
+  BodyTexts texts{biased};
+  ASSERT_THAT(sensorNames(identify(texts.read(), BodyScope::kSensors)), ElementsAre("accel_bias"));
+  texts.logs["tilt.csv"] = SyntheticRobot{}.recording({0.48, 0.6, 0.64}, 5);
+  const BodyIdentification answer = identify(texts.read(), BodyScope::kSensors);
+  EXPECT_THAT(sensorNames(answer), IsEmpty());
+  EXPECT_EQ(answer.verdict, Verdict::kUnknown);
+  EXPECT_LE(answer.held_out.after.accel, answer.held_out.before.accel);
+}
+
 }  // namespace
 }  // namespace darwinop::gap
