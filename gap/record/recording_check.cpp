@@ -102,6 +102,7 @@ std::vector<std::string> problemsOf(const logs::Log& recording, const std::strin
     if (const std::string name{kJointTable[joint].name};
         given.is_absent[joint] && !isEmpty(recording.column(name + ".commanded")))
       out.push_back(name + messages::kDrivenNeverAnswers);
+  if (std::string text = noReadingText(check); !text.empty()) out.push_back(std::move(text));
   std::vector<std::string_view> stuck = check.unmoved;
   std::erase_if(stuck, [&](std::string_view joint) { return !isAskedToMove(given, joint); });
   if (!stuck.empty())

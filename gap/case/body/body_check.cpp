@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/text/nearest.hpp"
 #include "core/units.hpp"
 
 namespace darwinop::gap {
@@ -21,6 +22,18 @@ double medianOf(std::vector<double> values) {
 
 double dot(const Axes& a, const Axes& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+bool isEmpty(const std::vector<double>& column) {
+  return std::ranges::all_of(column, [](double value) { return std::isnan(value); });
+}
+
+/// "gyro.x"
+std::vector<std::string> emptyAxes(const std::string& sensor, const AxesColumns& columns) {
+  std::vector<std::string> out;
+  for (std::size_t axis = 0; axis < columns.size(); ++axis)
+    if (isEmpty(columns[axis])) out.push_back(sensor + "." + "xyz"[axis]);
+  return out;
 }
 
 double greatestRate(const AxesColumns& gyro) {
@@ -56,15 +69,18 @@ BodyLogCheck checkOf(const BodyCase& given, std::size_t i) {
     }
     if (high - low < kUnmoved) out.unmoved.push_back(kJointTable[j].name);
   }
+  out.no_reading = emptyAxes("gyro", log.gyro_rad_s);
+  for (std::string& column : emptyAxes("accelerometer", log.accel_m_s2)) out.no_reading.push_back(std::move(column));
   out.greatest_rate_rad_s = greatestRate(log.gyro_rad_s);
   return out;
 }
 
-/// Gravity's directions of the clamped logs: how many are linearly independent (Gram and Schmidt).
+/// Gravity's directions that the accelerometer has read in clamped logs: how many are linearly independent (Gram and
+/// Schmidt).
 std::size_t orientationsOf(const BodyCase& given) {
   std::vector<Axes> basis;
   for (const BodyLog& log : given.logs) {
-    if (!log.up || log.held_out) continue;
+    if (!log.up || log.held_out || std::ranges::all_of(log.accel_m_s2, isEmpty)) continue;
     Axes left = *log.up;
     for (const Axes& one : basis) {
       const double along = dot(left, one);
@@ -80,6 +96,12 @@ std::size_t orientationsOf(const BodyCase& given) {
 
 }  // namespace
 
+std::string noReadingText(const BodyLogCheck& check) {
+  if (check.no_reading.empty()) return "";
+  const std::vector<std::string_view> columns{check.no_reading.begin(), check.no_reading.end()};
+  return text::listed(columns) + ": no reading; run `darwinop doctor`, and record it again";
+}
+
 BodyCheck checkData(const BodyCase& given) {
   BodyCheck out;
   out.warnings = given.warnings;
@@ -93,11 +115,14 @@ BodyCheck checkData(const BodyCase& given) {
       out.warnings.push_back(log.file + ": " + std::to_string(log.lost_rows) + " rows are lost; `cycle` has gaps");
   }
   out.orientations = orientationsOf(given);
-  if (out.orientations == 0)
+  if (std::ranges::none_of(given.logs, [](const BodyLog& log) { return log.up && !log.held_out; }))
     out.cannot_show.emplace_back("bias, scale, axes and mounting of the inertial sensor: clamp the trunk in a stand");
   else if (out.orientations < 3)
-    out.cannot_show.push_back("bias, scale, axes and mounting of the accelerometer apart: gravity is along " +
+    out.cannot_show.push_back("bias, scale, axes and mounting of the accelerometer apart: gravity is read along " +
                               std::to_string(out.orientations) + " of 3 axes; clamp the trunk on a side and face down");
+  for (std::size_t i = 0; i < given.logs.size(); ++i)
+    if (const std::string text = noReadingText(out.logs[i]); !text.empty())
+      out.cannot_show.push_back(given.logs[i].file + ": " + text);
   if (!given.isComplete()) out.cannot_show.push_back(absentText(given));
   const auto has = [&](const auto& is) { return std::ranges::any_of(out.logs, is); };
   if (!has([](const BodyLogCheck& log) { return !log.limp.empty(); }))

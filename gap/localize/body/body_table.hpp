@@ -31,6 +31,11 @@ struct BodyRow {
   double t0_s = 0, t1_s = 0;
 };
 
+/// Sentence of BodyTable::not_tested.
+inline constexpr const char* kNoFloorSignals =
+    "trunk, floor, contact, gyroscope in motion: no log with \"setup\": \"floor\" that is not of the runtime, or law "
+    "speed_p";
+
 struct BodyTable {
   std::vector<BodyRow> rows;  // most significant first
   // Significance from which a row is open: of all rows of a right model, the greatest is beyond it in 1 % of cases

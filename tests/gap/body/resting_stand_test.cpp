@@ -1,4 +1,4 @@
-// Directions of a stand that are off, and held-out logs that contradict the fitted ones: of
+// Directions of a stand that are off, readings that are missing, and held-out logs that contradict the fitted ones: of
 // recordings that the test writes.
 #include <gmock/gmock.h>
 
@@ -6,12 +6,16 @@
 #include <cmath>
 
 #include "gap/body/synthetic_robot.hpp"
+#include "gap/case/body/body_check.hpp"
 #include "gap/identify/body/body_identification.hpp"
 
 namespace darwinop::gap {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr double kHalfDegree = 0.5 * kPi / 180;
@@ -85,6 +89,34 @@ TEST(RestingStand, AnEffectThatAHeldOutLogContradictsHasNoName) {
   EXPECT_THAT(sensorNames(answer), IsEmpty());
   EXPECT_EQ(answer.verdict, Verdict::kUnknown);
   EXPECT_LE(answer.held_out.after.accel, answer.held_out.before.accel);
+}
+
+/// Without the readings of these columns in this log.
+void forget(AxesColumns& columns, std::initializer_list<std::size_t> axes) {
+  for (const std::size_t axis : axes) std::ranges::fill(columns[axis], std::nan(""));
+}
+
+TEST(RestingStand, AnAxisWithoutReadingsIsReportedAndTheOthersAreUsed) {
+  SyntheticRobot robot;
+  robot.accel_bias = {0, -0.3, 0};
+  BodyCase given = BodyTexts{robot}.read();
+  forget(given.logs[2].accel_m_s2, {0});
+  const BodyCheck check = checkData(given);
+  EXPECT_EQ(check.orientations, 3u);
+  EXPECT_THAT(check.cannot_show, Contains(AllOf(HasSubstr("side.csv"), HasSubstr("accelerometer.x"))));
+  EXPECT_EQ(restingReadings(given, ImuSensor::kAccelerometer).size(), 4u);
+  EXPECT_THAT(sensorNames(identify(given, BodyScope::kSensors)), ElementsAre("accel_bias"));
+}
+
+TEST(RestingStand, WithoutAnyReadingNothingOfTheSensorIsShownOrTested) {
+  BodyCase given = BodyTexts{}.read();
+  for (BodyLog& log : given.logs) forget(log.accel_m_s2, {0, 1, 2}), forget(log.gyro_rad_s, {1});
+  const BodyCheck check = checkData(given);
+  EXPECT_EQ(check.orientations, 0u);
+  EXPECT_THAT(check.cannot_show,
+              Contains(AllOf(HasSubstr("up.csv"), HasSubstr("gyro.y"), HasSubstr("accelerometer.z"))));
+  const BodyTable table = localize(given, RestingImu{given.joints.model});
+  EXPECT_THAT(table.not_tested, Contains(AllOf(HasSubstr("gyro.y"), HasSubstr("accelerometer.z"))));
 }
 
 }  // namespace

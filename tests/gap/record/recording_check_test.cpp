@@ -56,6 +56,18 @@ TEST(RecordingCheck, AJointThatDoesNotMoveIsNamed) {
   EXPECT_THAT(problems.front(), HasSubstr("Neck"));
 }
 
+TEST(RecordingCheck, AnEmptyColumnOfTheSensorIsNamed) {
+  std::istringstream lines{SyntheticRobot{}.recording({0, 1, 0}, 1)};
+  std::string out;
+  for (std::string line; std::getline(lines, line); out += line + "\n") {  // time_s, cycle, gyro.x
+    const std::size_t begin = line.find(',', line.find(',') + 1) + 1;
+    if (!out.empty()) line.erase(begin, line.find(',', begin) - begin);
+  }
+  const std::vector<std::string> problems = problemsIn(out);
+  ASSERT_THAT(problems, SizeIs(1));
+  EXPECT_THAT(problems.front(), HasSubstr("gyro.x"));
+}
+
 TEST(RecordingCheck, AJointWithoutAServoIsReportedOnlyIfItIsCommanded) {
   SyntheticRobot robot;
   robot.absent_joint = index(Joint::kNeck);
@@ -125,6 +137,7 @@ TEST(RecordedCase, ReadsBackWithWhatIsUsedOfEachFile) {
   EXPECT_DOUBLE_EQ(read.logs[0].time_s.front(), 0);
   EXPECT_TRUE(read.logs[1].held_out);
   EXPECT_GT(read.sigmaOf("friction"), 0);
+  EXPECT_NEAR(read.sigmaOf(kUpSigma), 0.5 * kPi / 180, 0.005) << "a stand is set to half a degree";
   EXPECT_THAT(read.warnings, IsEmpty());
 }
 
