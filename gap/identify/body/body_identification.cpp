@@ -90,8 +90,10 @@ BodyIdentification identify(const BodyCase& given, BodyScope scope) {
     std::vector<BodyRow> rows = std::move(out.table.rows);
     rows.insert(rows.end(), out.floor.rows.begin(), out.floor.rows.end());
     out.table = tableOf(std::move(rows), given);
-    if (!legs_are_explained && given.isComplete())
-      out.table.not_tested = {"trunk, floor, contact: joints of a leg are not explained"};
+    if (!legs_are_explained && canSimulateFloor(given)) {
+      std::erase(out.table.not_tested, kNoFloorSignals);
+      out.table.not_tested.emplace_back(kLegNotExplained);
+    }
     const FloorModel declared{.robot = {.robot = declaredRobot(given), .floor = {}}};
     out.held_out = heldOutGap(given, declared, finalModel(robot, out));
   }

@@ -44,6 +44,10 @@ struct BodyIdentification {
 
 BodyIdentification identify(const BodyCase& given, BodyScope scope = BodyScope::kAll);
 
+/// Sentence of BodyTable::not_tested.
+inline constexpr const char* kLegNotExplained = "trunk, floor, contact: joints of a leg are not explained";
+/// Of rivals: what to do.
+inline constexpr const char* kSeparatedByPlan = "`darwinop gap plan` names the experiment that separates them";
 /// Before the signals that nothing named explains.
 inline constexpr const char* kNotExplained = "  not explained: ";
 

@@ -17,7 +17,10 @@ namespace darwinop::gap {
 namespace {
 
 using testing::AnyOf;
+using testing::Contains;
+using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 Place at(Joint joint) {
@@ -150,6 +153,17 @@ TEST(BodyMechanics, AMassInTheHandIsNamedAlsoIfTheNeckNeverAnswers) {
   EXPECT_EQ(answer.mechanics.found.front().placed.joints.front(), Joint::kArmLowerL);
   EXPECT_EQ(answer.table.not_tested.front(), absentText(given));
   EXPECT_TRUE(std::isfinite(answer.held_out.after.joints)) << "of the joints that answer";
+}
+
+TEST(BodyMechanics, ALegThatStaysOpenHidesNothingElseThatWasNotTested) {
+  BodyCase given = movingRobot(shippedRobot());  // clamped logs, without voltages
+  for (std::size_t row = 60; row < 90; ++row)
+    given.joints.logs[index(Joint::kLegLowerR)].position_rad[row] += 0.03 * std::sin(0.4 * static_cast<double>(row));
+  const BodyIdentification answer = identify(given);
+  EXPECT_EQ(answer.verdict, Verdict::kUnknown);
+  EXPECT_THAT(answer.table.not_tested, Contains(kNoFloorSignals));
+  EXPECT_THAT(answer.table.not_tested, Contains(HasSubstr("supply")));
+  EXPECT_THAT(answer.table.not_tested, Not(Contains(kLegNotExplained)));
 }
 
 TEST(BodyMechanics, APriorOfTheFrictionHidesWhatItAllows) {
