@@ -144,6 +144,7 @@ std::string asText(const BodyIdentification& found) {
   }
   if (found.battery) text += asText(*found.battery);
   text += asText(found.mechanics) + asText(found.floor) + asText(found.held_out);
+  if (found.verdict == Verdict::kAmbiguous) text += "  " + std::string{kSeparatedByPlan} + "\n";
   for (const BodyRow* const row : unexplained(found))
     text += kNotExplained + row->signal + ", " + std::string{name(row->block)} + "\n";
   return text;

@@ -120,7 +120,7 @@ std::string namesSection(const BodyReport& report) {
     std::string names;
     for (const Json& one : group)
       names += (names.empty() ? "" : ", ") + one["id"].get<std::string>() + " at " + placeText(one["at"]);
-    inside += element("p", "Not separated by these recordings: " + names);
+    inside += element("p", "Not separated by these recordings: " + names + "; " + kSeparatedByPlan);
   }
   for (const std::string& sentence : report.left_out) inside += element("p", "Not in the changed model: " + sentence);
   return section("what", "What is missing", inside + left);

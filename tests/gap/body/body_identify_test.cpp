@@ -95,6 +95,7 @@ TEST(BodyIdentify, OneOrientationLeavesItAmbiguous) {
   std::vector<std::string_view> ids = idsIn(answer);
   for (const SensorFit& rival : ofAccelerometer(answer).rivals) ids.push_back(rival.effects.front()->id);
   EXPECT_THAT(ids, testing::IsSupersetOf({"accel_bias", "accel_scale"}));
+  EXPECT_THAT(asText(answer), testing::HasSubstr("darwinop gap plan"));
   const nlohmann::ordered_json json = asJson(c, answer);
   ASSERT_EQ(json["ambiguity"].size(), 1u);  // one group of alternatives
   EXPECT_GE(json["ambiguity"][0].size(), 2u);

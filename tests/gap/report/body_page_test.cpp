@@ -76,6 +76,15 @@ TEST(BodyPage, HasWhatIsLeftAndWhatWasTriedOnIt) {
               AllOf(Not(HasSubstr(messages::kRemainder)), Not(HasSubstr(messages::kOpenSignals))));
 }
 
+TEST(BodyPage, NamesTheCommandThatSeparatesWhatIsAmbiguous) {
+  RobotRig robot{Verdict::kAmbiguous};
+  const Json tilt{{"id", "floor_tilt"}, {"at", "floor"}, {"params", {{"tilt", {0.03, 0.0}}}}};
+  robot.report.answer["effects"].push_back(tilt);
+  EXPECT_THAT(asHtml(robot.report), Not(HasSubstr(kSeparatedByPlan)));
+  robot.report.answer["ambiguity"].push_back(Json::array({tilt, {{"id", "link_com"}, {"at", "Body"}}}));
+  EXPECT_THAT(asHtml(robot.report), HasSubstr(kSeparatedByPlan));
+}
+
 TEST(BodyPage, SaysWhatHeldOutLogsDecide) {
   EXPECT_THAT(asHtml(RobotRig{Verdict::kNone}.report), HasSubstr(messages::kHeldOutUse));
 }
