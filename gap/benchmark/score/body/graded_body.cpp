@@ -16,6 +16,7 @@ constexpr std::array<std::string_view, 11> kOfSensors{"gyro_bias",    "gyro_scal
                                                       "imu_mounting", "imu_delay",  "imu_axes"};
 constexpr std::array<std::string_view, 3> kOfMass{"link_mass", "link_com", "com_mass"};
 constexpr std::array<std::string_view, 4> kOfContact{"floor_friction", "contact_time", "floor_tilt", "sole_size"};
+constexpr std::string_view kScale = "scale";  // parameter that is 1 where nothing is wrong; others are 0
 constexpr std::array<std::string_view, 2> kOfBus{"battery_resistance", "bus_latency"};
 
 template <class List>
@@ -46,10 +47,12 @@ const std::vector<double>* numberOf(const BodyKeyEffect& effect, std::string nam
   return found == effect.values.end() ? nullptr : &found->second;
 }
 
-bool isWithin(const std::vector<double>& truth, const std::vector<double>& answer, double share, double absolute) {
+/// The share is one of what is hidden, which is the distance from `neutral`.
+bool isWithin(const std::vector<double>& truth, const std::vector<double>& answer, double neutral, double share,
+              double absolute) {
   if (truth.size() != answer.size()) return false;
   double size = 0;
-  for (const double value : truth) size = std::max(size, std::abs(value));
+  for (const double value : truth) size = std::max(size, std::abs(value - neutral));
   for (std::size_t i = 0; i < truth.size(); ++i)
     if (!(std::abs(answer[i] - truth[i]) <= std::max(share * size, absolute))) return false;
   return true;
@@ -118,7 +121,7 @@ bool GradedBody::numbersWithin(const BodyKeyEffect& hidden, double share, double
     std::map<std::string, bool> right;  // by the answer's name: one of its forms is
     for (const auto& [name, truth] : hidden.values)
       if (const std::vector<double>* const value = numberOf(one, name))
-        right[name.substr(0, name.rfind('_'))] |= isWithin(truth, *value, share, absolute);
+        right[name.substr(0, name.rfind('_'))] |= isWithin(truth, *value, name == kScale ? 1 : 0, share, absolute);
     return std::ranges::all_of(right, [](const auto& form) { return form.second; });
   }
   return false;
@@ -127,7 +130,8 @@ bool GradedBody::numbersWithin(const BodyKeyEffect& hidden, double share, double
 bool GradedBody::firstRight() const {
   return answer != nullptr && !answer->effects.empty() &&
          std::ranges::any_of(key.effects, [&](const BodyKeyEffect& hidden) {
-           return isSameEffect(hidden, nameOf(answer->effects.front()));
+           const PlacedName first = nameOf(answer->effects.front());
+           return isSameEffect(hidden, first) && isSamePlace(hidden, first);
          });
 }
 

@@ -37,8 +37,10 @@ struct GradedBody {
   /// Or has it in an ambiguity of at most three.
   [[nodiscard]] bool namesOrDoubts(const BodyKeyEffect& hidden) const;
   [[nodiscard]] bool placeRight(const BodyKeyEffect& hidden) const;
-  /// All numbers of the key that the answer has are within this share, or within `absolute` of their unit.
+  /// All numbers of the key that the answer has are within this share of what is hidden, for a scale its distance from
+  /// 1, or within `absolute` of their unit.
   [[nodiscard]] bool numbersWithin(const BodyKeyEffect& hidden, double share, double absolute) const;
+  /// The first name of the answer is hidden, and in its place.
   [[nodiscard]] bool firstRight() const;
   [[nodiscard]] bool alarm() const;
   /// Outside of the catalogue: a signal of the place is open.

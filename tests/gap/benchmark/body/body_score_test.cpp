@@ -71,6 +71,27 @@ TEST(BodyScore, NumbersCountWhereTheNameIsRight) {
       (Counted{0, 0}));
 }
 
+TEST(BodyScore, AShareOfAScaleIsOneOfItsDistanceFromOne) {
+  const auto counted = [&](double scale) {
+    return figure(bodyScoreOf({{"a", hiding({{"accel_scale", {"accelerometer"}, {{"scale", {1.06, 1, 1}}}}})}},
+                              {{"a", naming({{"accel_scale", {"accelerometer"}, {{"scale", {scale, 1, 1}}}}})}}),
+                  body_figures::kSensorNumber);
+  };
+  EXPECT_EQ(counted(1.062), (Counted{1, 1}));
+  EXPECT_EQ(counted(1.05), (Counted{0, 1}));
+  EXPECT_EQ(counted(1), (Counted{0, 1}));
+}
+
+TEST(BodyScore, TheFirstOfTwoIsRightInItsPlaceOnly) {
+  const BodyKey key = hiding({{"coulomb", {"KneeR"}, {}}, {"gyro_bias", {"gyro"}, {}}});
+  const auto counted = [&](const std::string& leg) {
+    return figure(bodyScoreOf({{"a", key}}, {{"a", naming({{"coulomb", {leg}, {}}, {"gyro_bias", {"gyro"}, {}}})}}),
+                  body_figures::kTwoFirst);
+  };
+  EXPECT_EQ(counted("KneeR"), (Counted{1, 1}));
+  EXPECT_EQ(counted("KneeL"), (Counted{0, 1}));
+}
+
 TEST(BodyScore, ANumberIsRightAsAddedOrAsTotal) {
   const BodyKey key = hiding({{"link_mass", {"FootR"}, {{"mass_added", {0.1}}, {"mass_total", {0.3}}}}});
   for (const double value : {0.1, 0.3, 0.2})
