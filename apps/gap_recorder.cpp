@@ -142,7 +142,18 @@ void BodyRecorder::keep(const std::vector<PlannedRecording>& plans) {
   }
 }
 
+bool BodyRecorder::isTurnedBetween(const std::vector<PlannedRecording>& plans) const {
+  const PlannedRecording* first = nullptr;
+  for (const PlannedRecording& plan : plans) {
+    if (find(plan) != nullptr) continue;
+    if (first != nullptr && (plan.setup != first->setup || plan.up != first->up)) return true;
+    if (first == nullptr) first = &plan;
+  }
+  return false;
+}
+
 bool BodyRecorder::record(const std::vector<PlannedRecording>& plans) {
+  if (given_.yes && !isSimulated() && isTurnedBetween(plans)) throw std::runtime_error(messages::kNobodyTurnsIt);
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (find(plans[i]) != nullptr) continue;
     if (isEnded()) return false;  // it came while no experiment ran, which would have received it
@@ -175,9 +186,8 @@ bool BodyRecorder::record(const PlannedRecording& plan) {
     const bool is_usable = made_.size() > before;
     for (const std::string& problem : wrong) std::cout << "  " << problem << '\n';
     if (wrong.empty()) std::cout << "  good\n";
-    bool is_kept = wrong.empty() || (is_usable && !asks());
-    if (!is_kept && !asks())
-      throw RecordingFailed(attempt + " cannot be used; find the cause and record it again with --resume");
+    bool is_kept = wrong.empty() || (is_usable && isSimulated());
+    if (!is_kept && !asks()) throw RecordingFailed(attempt + messages::kUnusable + " with --resume");
     if (!is_kept) {
       const Answer next =
           ask(is_usable ? "r to repeat it, Enter to keep it, q to end: " : "r to repeat it, q to end: ", end_signal_);

@@ -18,6 +18,9 @@ namespace messages {
 inline constexpr const char* kKept = "kept";  // with --resume
 inline constexpr const char* kIncomplete = ": incomplete, see above";
 inline constexpr const char* kEndedBySignal = " was ended by signal ";  // then its number
+inline constexpr const char* kNobodyTurnsIt =
+    "the robot has to be placed anew between these recordings, and --yes waits for nobody; leave --yes out";
+inline constexpr const char* kUnusable = " cannot be used; find the cause and record it again";
 }  // namespace messages
 
 /// A recording was begun and is of no use; --resume makes it again.
@@ -36,8 +39,8 @@ class BodyRecorder {
 
   /// Takes over the recordings of a former run. Throws BadInput if one cannot be used.
   void keep(const std::vector<PlannedRecording>& plans);
-  /// Makes the others. False: stopped by the user. Throws RecordingFailed, or another std::runtime_error before the
-  /// robot moves.
+  /// Makes the others. Without questions, a physical robot keeps its place, and its recordings have to be good. False:
+  /// stopped by the user. Throws RecordingFailed, or another std::runtime_error before the robot moves.
   [[nodiscard]] bool record(const std::vector<PlannedRecording>& plans);
   /// In the order of their plans.
   [[nodiscard]] std::vector<MadeRecording> made(const std::vector<PlannedRecording>& plans) const;
@@ -46,6 +49,8 @@ class BodyRecorder {
   [[nodiscard]] bool isSimulated() const { return !twin_.empty(); }
   [[nodiscard]] bool asks() const { return !given_.yes && !isSimulated(); }
   [[nodiscard]] bool isEnded() const { return end_signal_ != 0; }
+  /// A person has to place the robot anew between the recordings that are not there yet.
+  [[nodiscard]] bool isTurnedBetween(const std::vector<PlannedRecording>& plans) const;
   [[nodiscard]] std::string fileOf(const PlannedRecording& plan) const;
   [[nodiscard]] const MadeRecording* find(const PlannedRecording& plan) const;
   [[nodiscard]] bool record(const PlannedRecording& plan);

@@ -30,6 +30,14 @@ TEST_F(Recorder, ASignalWhileNoExperimentRunsStartsNone) {
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
+TEST_F(Recorder, NobodyIsAskedToTurnAPhysicalRobot) {
+  given_.yes = true;
+  BodyRecorder recorder{given_, "", "darwin-op", end_signal_};
+  end_signal_ = SIGINT;  // nothing would move
+  EXPECT_THROW((void)recorder.record(plans_), std::runtime_error);
+  EXPECT_FALSE(recorder.record({plans_[0], plans_[1]})) << "in one place";
+}
+
 TEST(TwinInHead, BeginsAsRecordingsOfATwinAreRecognized) {
   EXPECT_TRUE(connect::twinInHead("mine.ini").starts_with(kTwinInHead));
 }
