@@ -17,7 +17,9 @@ inline constexpr const char* kNoReportFolder = " is not a folder; give another f
 inline constexpr const char* kModelOfReport = ", repaired.ini the model with the effects";
 inline constexpr const char* kRecordingExists =
     " exists; --resume keeps the recordings there and makes the others, or give another folder with --out";
-inline constexpr const char* kModelOfFirstCommand = " is the model, as before; give another one with --model";
+inline constexpr const char* kModelOfFirstCommand = " is the model, as before";
+inline constexpr const char* kOtherModel =
+    " exists and is another model; move it away, or give another folder with --out";
 }  // namespace messages
 
 /// Throws std::runtime_error with the path and the reason.

@@ -24,27 +24,31 @@ namespace {
 namespace fs = std::filesystem;
 using connect::RobotKind;
 
+constexpr const char* kModelFile = "model.ini";  // of the case
+
 /// The last signal that asks us to end; 0: none.
 std::atomic<int> ended_by{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
-/// Name of the model for the case; a file is copied into its folder.
+/// Name of the model for the case; a file is copied into its folder. Throws std::runtime_error if another one is there.
 std::string modelFor(const std::string& wanted, const std::string& folder) {
   std::string name = wanted.empty() ? "darwin-op" : wanted;
-  const std::string path = twin::findModel(name);
+  const std::string path = twin::findModel(name), copy = (fs::path{folder} / kModelFile).string();
   if (path != name) return name;  // a shipped one
   const twin::Model model = twin::readModel(path);
-  if (const std::string wrong = twin::copyBody(model, folder, twin::OtherBody::kReplace); !wrong.empty())
+  const bool is_there = fs::exists(copy);
+  if (is_there && textOf(copy) != textOf(path)) throw std::runtime_error(copy + messages::kOtherModel);
+  if (const std::string wrong = twin::copyBody(model, folder, twin::OtherBody::kKeep); !wrong.empty())
     throw std::runtime_error(wrong);
-  fs::copy_file(path, fs::path{folder} / "model.ini", fs::copy_options::overwrite_existing);
-  return "model.ini";
+  if (!is_there) fs::copy_file(path, copy);
+  return kModelFile;
 }
 
 /// --resume without --model or --floor: as the first command had them, which the folder shows.
 bool takeFirstCommand(Arguments& given) {
   if (!given.resume) return false;
   if (fs::exists(fs::path{given.out} / "standing.csv")) given.floor = true;
-  const fs::path model = fs::path{given.out} / "model.ini";
+  const fs::path model = fs::path{given.out} / kModelFile;
   if (!given.model.empty() || !fs::exists(model)) return false;
   std::cerr << "darwinop gap: " << model.string() << messages::kModelOfFirstCommand << '\n';
   (void)twin::readModel(model.string());
@@ -77,8 +81,8 @@ int recordBody(const Arguments& asked) {
   makeFolder(given.out);
   // Ctrl-C ends the experiment, gently, and then this program.
   onEndSignals([](int number, siginfo_t*, void*) { ended_by = number; });
-  const std::string model = has_model ? "model.ini" : modelFor(given.model, given.out);
-  const bool is_file = model == "model.ini";
+  const std::string model = has_model ? kModelFile : modelFor(given.model, given.out);
+  const bool is_file = model == kModelFile;
   const auto kind = robot.kind == RobotKind::kTwin ? RecordedRobot::kSimulated : RecordedRobot::kPhysical;
   const std::string twin = robot.kind == RobotKind::kTwin ? connect::twinInHead(robot.model) : "";
   BodyRecorder recorder{given, twin, is_file ? (fs::path{given.out} / model).string() : model, ended_by};
