@@ -46,6 +46,7 @@ struct Arguments {
   bool all_logs = false;                          // raw logs: none is left to the comparison alone
   std::string robot;                              // to record: as DARWINOP_ROBOT
   bool yes = false, floor = false;                // of a recording
+  std::string add, up;                            // one more experiment for a case; "0,-1,0", in the trunk's frame
   double at_least = 0;                            // minimum share of fair answers
 
   [[nodiscard]] std::string jointOrUsual() const { return joint.empty() ? kUsualJoint : joint; }

@@ -20,6 +20,14 @@ inline constexpr const char* kRecordingExists =
 inline constexpr const char* kModelOfFirstCommand = " is the model, as before";
 inline constexpr const char* kOtherModel =
     " exists and is another model; move it away, or give another folder with --out";
+inline constexpr const char* kHasItsModel =
+    " is a case with another model; leave --model out, or give another folder with --out";
+inline constexpr const char* kNotADirection =
+    ": give three numbers, what points up in the trunk's frame: left, up, forward; 0,-1,0 is head down";
+inline constexpr const char* kNotClamped =
+    ": the trunk is not clamped in it, and recordings of the runtime on the floor are not simulated; take an "
+    "experiment "
+    "with `trunk = clamped`";
 }  // namespace messages
 
 /// Throws std::runtime_error with the path and the reason.

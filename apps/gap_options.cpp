@@ -141,12 +141,21 @@ std::vector<ParsedCommand> addCommands(CLI::App& app, Arguments& given) {
   records->add_option("--robot", given.robot,
                       "robot; default: DARWINOP_ROBOT, or else the first one found:\n" + connect::settingChoices());
   out(records, "folder for the case")->required();
-  records->add_option("--model", given.model, "what the robot is compared with; else darwin-op");
-  records->add_flag("--floor", given.floor, "one more recording, standing on the floor");
-  records->add_flag("--resume", given.resume, "keep the recordings in the folder and make the others");
+  CLI::Option* const for_all[] = {
+      records->add_option("--model", given.model, "what the robot is compared with; else darwin-op"),
+      records->add_flag("--floor", given.floor, "one more recording, standing on the floor"),
+      records->add_flag("--resume", given.resume, "keep the recordings in the folder and make the others")};
+  CLI::Option* const adds_one =
+      records->add_option("--add", given.add, "one more recording for the case in --out: this experiment");
+  for (CLI::Option* const other : for_all) adds_one->excludes(other);
+  adds_one->needs(
+      records
+          ->add_option("--up", given.up, "X,Y,Z: what points up in its stand, in the trunk's frame: left, up, forward")
+          ->needs(adds_one));
   records->add_flag("--yes", given.yes, "ask nothing: the robot stands ready, and moves");
   example(records,
-          "darwinop gap record --robot twin --out mine\n\n"
+          "darwinop gap record --robot twin --out mine\n"
+          "  darwinop gap record --robot twin --add body_triangles --up 0,-1,0 --out mine\n\n"
           "Exit code: 0 done; 1 a recording failed; 2 nothing has begun; 130 stopped");
   CLI::App* const plan = on_case(add("plan", "the most informative next experiment, docs/gap/plan.md", planNext));
   plan->add_option("--against", given.against,

@@ -122,26 +122,6 @@ const MadeRecording* BodyRecorder::find(const PlannedRecording& plan) const {
   return found == made_.end() ? nullptr : &*found;
 }
 
-void BodyRecorder::keep(const std::vector<PlannedRecording>& plans) {
-  std::vector<std::pair<const PlannedRecording*, double>> begins;  // s since 1970
-  for (const PlannedRecording& plan : plans)
-    if (fs::exists(fileOf(plan))) begins.emplace_back(&plan, beginOf(logs::readLog(fileOf(plan)), plan, twin_));
-  if (begins.empty()) return;
-  const auto [first, last] = std::ranges::minmax(begins, {}, &decltype(begins)::value_type::second);
-  const double first_s = first.second, last_s = last.second;
-  if (!isSimulated()) {
-    const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
-    earlier_s_ = sessionAge(first_s, last_s, now.count());
-    if (const std::string pause = pauseText(now.count() - last_s); !pause.empty()) std::cout << pause << '\n';
-  }
-  for (const auto& [plan, begin_s] : begins) {
-    const std::vector<std::string> problems = look(*plan, fileOf(*plan), isSimulated() ? 0 : begin_s - first_s);
-    if (find(*plan) == nullptr) throw BadInput(problems.front());
-    std::cout << plan->file << ": " << messages::kKept << '\n';
-    for (const std::string& problem : problems) std::cout << "  " << problem << '\n';
-  }
-}
-
 bool BodyRecorder::isTurnedBetween(const std::vector<PlannedRecording>& plans) const {
   const PlannedRecording* first = nullptr;
   for (const PlannedRecording& plan : plans) {
@@ -187,7 +167,8 @@ bool BodyRecorder::record(const PlannedRecording& plan) {
     for (const std::string& problem : wrong) std::cout << "  " << problem << '\n';
     if (wrong.empty()) std::cout << "  good\n";
     bool is_kept = wrong.empty() || (is_usable && isSimulated());
-    if (!is_kept && !asks()) throw RecordingFailed(attempt + messages::kUnusable + " with --resume");
+    if (!is_kept && !asks())
+      throw RecordingFailed(attempt + messages::kUnusable + (given_.add.empty() ? " with --resume" : ""));
     if (!is_kept) {
       const Answer next =
           ask(is_usable ? "r to repeat it, Enter to keep it, q to end: " : "r to repeat it, q to end: ", end_signal_);

@@ -21,6 +21,7 @@ inline constexpr const char* kEndedBySignal = " was ended by signal ";  // then 
 inline constexpr const char* kNobodyTurnsIt =
     "the robot has to be placed anew between these recordings, and --yes waits for nobody; leave --yes out";
 inline constexpr const char* kUnusable = " cannot be used; find the cause and record it again";
+inline constexpr const char* kTakeItsRobot = "; give that one with --robot";
 }  // namespace messages
 
 /// A recording was begun and is of no use; --resume makes it again.
@@ -39,6 +40,8 @@ class BodyRecorder {
 
   /// Takes over the recordings of a former run. Throws BadInput if one cannot be used.
   void keep(const std::vector<PlannedRecording>& plans);
+  /// For one more recording of the same session and robot. Throws BadInput if it is another one.
+  void goOn(const BodyCase& so_far);
   /// Makes the others. Without questions, a physical robot keeps its place, and its recordings have to be good. False:
   /// stopped by the user. Throws RecordingFailed, or another std::runtime_error before the robot moves.
   [[nodiscard]] bool record(const std::vector<PlannedRecording>& plans);
@@ -61,6 +64,8 @@ class BodyRecorder {
   [[nodiscard]] std::vector<std::string> problems(int status, const PlannedRecording& plan, const std::string& file,
                                                   double session_s);
   [[nodiscard]] double sessionSeconds() const;
+  /// The session began then, and its last recording; s since 1970. Throws BadInput if the clock was set back.
+  void continueSession(double first_s, double last_s);
 
   const Arguments& given_;
   std::string twin_, model_;

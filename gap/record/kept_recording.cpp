@@ -7,18 +7,31 @@
 #include "gap/case/body/parse_body_case.hpp"
 
 namespace darwinop::gap {
+namespace {
+
+BadInput refused(const logs::Log& recording, const std::string& why) {
+  return BadInput{recording.file + ": " + why + "; delete it, or give another folder with --out"};
+}
+
+}  // namespace
 
 double beginOf(const logs::Log& recording, const PlannedRecording& plan, const std::string& twin) {
-  const auto refuse = [&](const std::string& why) -> BadInput {
-    return BadInput{recording.file + ": " + why + "; delete it, or give another folder with --out"};
-  };
+  const auto refuse = [&](const std::string& why) { return refused(recording, why); };
   if (!recording.recording || !recording.complete) throw refuse("it is not a complete recording");
   if (recording.headValue("experiment").value_or("") != plan.experiment)
     throw refuse("it is not a recording of the experiment " + plan.experiment);
   const std::string robot = robotOf(recording);
-  if (twin.empty() ? robot.starts_with(kTwinInHead) : robot != twin) throw refuse(messages::kOfAnotherRobot + robot);
+  if (isOtherRobot(robot, twin)) throw refuse(messages::kOfAnotherRobot + robot);
+  return dateIn(recording);
+}
+
+bool isOtherRobot(const std::string& robot, const std::string& twin) {
+  return twin.empty() ? robot.starts_with(kTwinInHead) : robot != twin;
+}
+
+double dateIn(const logs::Log& recording) {
   const std::optional<double> date = logs::dateOf(recording);
-  if (!date) throw refuse("its date is missing");
+  if (!date) throw refused(recording, "its date is missing");
   return *date;
 }
 

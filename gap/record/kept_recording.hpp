@@ -26,6 +26,10 @@ double beginOf(const logs::Log& recording, const PlannedRecording& plan, const s
 
 /// "model" in the head: which robot it is of.
 std::string robotOf(const logs::Log& recording);
+/// `robot`: as above. `twin`: as for beginOf(). Of two physical robots false: a port may have another name tomorrow.
+bool isOtherRobot(const std::string& robot, const std::string& twin);
+/// s since 1970 by the computer's clock, to 1 s. Throws BadInput if its head has none.
+double dateIn(const logs::Log& recording);
 
 /// Age of a session whose first and last recordings began then; all in s since 1970. Throws BadInput if the clock was
 /// set back since.

@@ -1,13 +1,13 @@
 #include "gap/record/recordings.hpp"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 #include "core/json/json_text.hpp"
+#include "core/text/formatted.hpp"
+#include "gap/case/fields.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-using Object = nlohmann::ordered_json;
 
 constexpr const char* kUpright =
     "Clamp the trunk in the stand, upright, in the start pose. All limbs must be free in the air, with an arm's length "
@@ -23,7 +23,29 @@ constexpr const char* kStanding =
     "Take the robot out of the stand and set it on a level floor, in the start pose. It stands up: hold it by its "
     "handle, without pulling.";
 
+Json entryOf(const MadeRecording& one) {
+  Json log{{"file", one.plan.file}, {"role", one.plan.held_out ? "held_out" : "fit"}, {"setup", name(one.plan.setup)}};
+  if (one.plan.up) log["up"] = *one.plan.up;
+  log["from_s"] = one.from_s, log["to_s"] = one.to_s;
+  log["session_s"] = one.session_s;
+  if (!one.plan.repeat_of.empty()) log["repeat_of"] = one.plan.repeat_of;
+  log["battery_V"] = one.battery_v;
+  return log;
+}
+
+std::string textOf(const Json& of_case) {
+  return jsonText(of_case, 1) + "\n";
+}
+
 }  // namespace
+
+PlannedRecording addedRecording(const std::string& file, const std::string& experiment, const Axes& up) {
+  const std::string placing = text::formatted(
+      "Clamp the trunk in the stand so that %.3g left, %.3g up, %.3g forward in its frame points up. All limbs must be "
+      "free in the air, with an arm's length of room.",
+      up[0], up[1], up[2]);
+  return {file, experiment, BodySetup::kClamped, up, placing, false, ""};
+}
 
 std::vector<PlannedRecording> plannedRecordings(bool with_floor) {
   constexpr auto kClamped = BodySetup::kClamped;
@@ -39,27 +61,25 @@ std::vector<PlannedRecording> plannedRecordings(bool with_floor) {
 
 std::string bodyCaseJson(const std::string& name, const std::string& model, RecordedRobot robot,
                          const std::vector<MadeRecording>& made) {
-  Object trust{{"exact", true}};
+  Json trust{{"exact", true}};
   // Masses and servos differ by as much as makers allow; dry friction by half from joint to joint; the sensor's biases
   // are those of its data sheet, warmed up. A stand is set with a spirit level, to about half a degree.
   if (robot == RecordedRobot::kPhysical)
     trust = {{"body.mass", 0.03},           {"body.com_m", 0.003},        {"servo", 0.05},
              {"servo.armature", 0.2},       {"servo.duty_per_kp", 0.03},  {"friction", 0.5},
              {"imu.gyro_bias_rad_s", 0.05}, {"imu.accel_bias_m_s2", 0.3}, {std::string{kUpSigma}, 0.01}};
-  Object logs = Object::array();
-  for (const MadeRecording& one : made) {
-    Object log{{"file", one.plan.file},
-               {"role", one.plan.held_out ? "held_out" : "fit"},
-               {"setup", gap::name(one.plan.setup)}};
-    if (one.plan.up) log["up"] = *one.plan.up;
-    log["from_s"] = one.from_s, log["to_s"] = one.to_s;
-    log["session_s"] = one.session_s;
-    if (!one.plan.repeat_of.empty()) log["repeat_of"] = one.plan.repeat_of;
-    log["battery_V"] = one.battery_v;
-    logs.push_back(std::move(log));
-  }
-  return jsonText(Object{{"case", name}, {"family", "body"}, {"model", model}, {"trust", trust}, {"logs", logs}}, 1) +
-         "\n";
+  Json logs = Json::array();
+  for (const MadeRecording& one : made) logs.push_back(entryOf(one));
+  return textOf(Json{{"case", name}, {"family", "body"}, {"model", model}, {"trust", trust}, {"logs", logs}});
+}
+
+std::string withEntries(const std::string& text, const std::string& file, const std::vector<MadeRecording>& made) {
+  Json of_case = parseJson(text, file);
+  Json& logs = of_case["logs"];
+  for (const MadeRecording& one : made)
+    if (std::ranges::none_of(logs, [&](const Json& log) { return log["file"] == one.plan.file; }))
+      logs.push_back(entryOf(one));
+  return textOf(of_case);
 }
 
 }  // namespace darwinop::gap

@@ -22,6 +22,9 @@ struct PlannedRecording {
 /// The known pose first, twice; then what is new, one thing at a time; a fall only at the end.
 std::vector<PlannedRecording> plannedRecordings(bool with_floor);
 
+/// One more for a case: the trunk is clamped with `up`, a unit vector, upwards.
+PlannedRecording addedRecording(const std::string& file, const std::string& experiment, const Axes& up);
+
 /// Prior sigmas of a robot about which only data sheets are known; docs/gap/body.md. A simulated robot has its model's
 /// numbers, but for what is hidden.
 enum class RecordedRobot : std::uint8_t { kSimulated, kPhysical };
@@ -37,5 +40,7 @@ struct MadeRecording {
 /// A case.json. `model`: a name, or a file in the case's folder.
 std::string bodyCaseJson(const std::string& name, const std::string& model, RecordedRobot robot,
                          const std::vector<MadeRecording>& made);
+/// The text of a case.json, with entries for those that it does not have. `file`: what errors call it. Throws BadInput.
+std::string withEntries(const std::string& text, const std::string& file, const std::vector<MadeRecording>& made);
 
 }  // namespace darwinop::gap

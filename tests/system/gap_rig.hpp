@@ -37,6 +37,22 @@ class GapRig : public Rig {
     ASSERT_EQ(gap({"record", "--robot", robot, "--out", file("case")}, seconds{120}), 0) << said_;
   }
 
+  /// A case of one recording, upright, of a twin; its head says that it is of `robot`.
+  void recordUpright(const std::string& robot) {
+    std::filesystem::create_directories(file("case"));
+    Program running{{program("darwinop-experiment"), "run", "body_chirp", "--robot", "twin", "--yes", "--record",
+                     file("case/up.csv")},
+                    file("command.txt")};
+    ASSERT_EQ(running.wait(seconds{60}), 0) << running.output();
+    std::string text = textOf(file("case/up.csv"));
+    const std::string key = "# model: ";
+    const std::size_t at = text.find(key) + key.size();
+    std::ofstream{file("case/up.csv")} << text.replace(at, text.find('\n', at) - at, robot);
+    std::ofstream{file("case/case.json")} << R"({"case": "case", "family": "body", "model": "darwin-op",
+      "trust": {}, "logs": [{"file": "up.csv", "role": "fit", "setup": "stand_clamped", "up": [0, 1, 0],
+      "battery_V": 11.8}]})";
+  }
+
   /// Signals that diverge from the model.
   std::vector<std::string> openSignals(const std::string& model) {
     EXPECT_EQ(gap({"locate", file("case"), "--json", "--model", model}, seconds{200}), 0) << said_;
