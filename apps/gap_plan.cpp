@@ -5,11 +5,13 @@
 
 #include "core/json/json_text.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/shell_word.hpp"
 #include "experiments/format/phase_reader.hpp"
 #include "gap/identify/identification.hpp"
 #include "gap/plan/body/motion_ranking.hpp"
 #include "gap/plan/question.hpp"
 #include "gap/plan/write_experiments.hpp"
+#include "gap/report/data_hash.hpp"
 #include "gap_commands.hpp"
 
 namespace darwinop::gap {
@@ -37,7 +39,8 @@ int planForBody(const Arguments& given) {
   if (!given.json)
     std::cerr << "darwinop gap: verdict: " << nameOf(found.verdict) << "\ndarwinop gap: simulating the motions\n";
   const BodyPlan plan = nextMotions(read, questionAfter(read, found), plannedMotions());
-  std::cout << (given.json ? jsonText(asJson(plan), 1) + "\n" : asText(plan));
+  const std::string folder = text::shellWord(given.folder);
+  std::cout << (given.json ? jsonText(asJson(plan, folder), 1) + "\n" : asText(plan, folder));
   return 0;
 }
 

@@ -16,4 +16,10 @@ inline constexpr const char* kGainBeyondFormat =
 inline constexpr const char* kEffectGivenTwice = "is given twice in --against";
 inline constexpr const char* kEffectNotFittable = "cannot be fitted here";
 
+// motions of the whole robot on the floor
+inline constexpr const char* kFloorMotion =
+    "record it as the others on the floor, not by the runtime; case.json, with its \"battery_V\": ";
+inline constexpr const char* kFloorNotPlanned =
+    "Not planned, as no recording of the runtime on the floor is simulated: ";
+
 }  // namespace darwinop::gap::messages

@@ -11,21 +11,13 @@ namespace {
 
 using thresholds::kCertainToShow;
 
-FloorModel carrying(FloorModel model, double weight_kg) {
-  if (weight_kg == 0) return model;
-  for (const Joint hand : {Joint::kArmLowerR, Joint::kArmLowerL})
-    model.robot.robot.links.push_back(LinkChange{.link = hand, .mass_kg = weight_kg});
-  return model;
-}
-
 /// In the order of RankedMotion::differences.
-std::vector<SignalDifference> differencesIn(const BodyCase& coming, std::size_t log, const BodyQuestion& question,
-                                            double carried_kg) {
+std::vector<SignalDifference> differencesIn(const BodyCase& coming, std::size_t log, const BodyQuestion& question) {
   const std::size_t count = question.models.size();
   std::vector<std::vector<PredictedSignal>> signals;
   for (std::size_t i = 0; i < count; ++i) {
     const bool with_noise = i == 0 || (question.is_rivalry && i + 1 < count);
-    signals.push_back(predictedSignals(coming, log, carrying(question.models[i].model, carried_kg), with_noise));
+    signals.push_back(predictedSignals(coming, log, question.models[i].model, with_noise));
   }
   std::vector<SignalDifference> out;
   for (std::size_t a = 0; a < (question.is_rivalry ? count : 1); ++a)
@@ -44,7 +36,7 @@ BodyQuestion withoutShown(const BodyCase& given, BodyQuestion question) {
     if (given.logs[log].setup == BodySetup::kClamped && !given.logs[log].held_out && !given.logs[log].repeat_of)
       logs.push_back(log);
   std::vector<std::vector<SignalDifference>> shown(logs.size());
-  forEach(logs.size(), [&](std::size_t i) { shown[i] = differencesIn(given, logs[i], question, 0); });
+  forEach(logs.size(), [&](std::size_t i) { shown[i] = differencesIn(given, logs[i], question); });
   std::vector<RivalModel> kept{question.models.front()};
   for (std::size_t model = 1; model < question.models.size(); ++model) {
     double square = 0;
@@ -57,14 +49,25 @@ BodyQuestion withoutShown(const BodyCase& given, BodyQuestion question) {
 
 /// Effects of sensor, floor and trunk do not need other motions of the limbs in the air.
 bool isForReveal(const PlannedMotion& motion) {
-  if (motion.setup == BodySetup::kClamped) return motion.experiment == "body_triangles" && motion.carried_kg == 0;
+  if (motion.setup == BodySetup::kClamped) return motion.experiment == "body_triangles";
   return !motion.experiment.starts_with("bow");
+}
+
+/// Of a motion on the floor: the case has recordings there that are simulated, so more can be made in the same way.
+bool canUseFloor(const BodyCase& given) {
+  return !floorLogs(given, false).empty() || !floorLogs(given, true).empty();
 }
 
 }  // namespace
 
 BodyPlan nextMotions(const BodyCase& given, BodyQuestion question, std::vector<PlannedMotion> motions) {
   BodyPlan out;
+  if (!canUseFloor(given)) {
+    const auto is_on_floor = [](const PlannedMotion& one) { return one.setup != BodySetup::kClamped; };
+    for (const PlannedMotion& one : motions)
+      if (is_on_floor(one)) out.left_out.push_back(one.name());
+    std::erase_if(motions, is_on_floor);
+  }
   if (!question.is_rivalry) {
     question = withoutShown(given, std::move(question));
     std::erase_if(motions, [](const PlannedMotion& one) { return !isForReveal(one); });
@@ -76,7 +79,7 @@ BodyPlan nextMotions(const BodyCase& given, BodyQuestion question, std::vector<P
   forEach(motions.size(), [&](std::size_t i) {
     RankedMotion& one = out.ranked[i];
     one.motion = motions[i];
-    one.differences = differencesIn(coming, i, out.question, motions[i].carried_kg);
+    one.differences = differencesIn(coming, i, out.question);
     const auto nearest = std::ranges::min_element(one.differences, {}, &SignalDifference::sigma);
     if (out.question.is_rivalry) one.gain = gainOf(nearest->sigma);
     for (const SignalDifference& difference : one.differences)

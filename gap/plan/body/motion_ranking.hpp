@@ -21,16 +21,17 @@ struct RankedMotion {
 
 struct BodyPlan {
   BodyQuestion question;
-  std::vector<RankedMotion> ranked;  // best first
+  std::vector<RankedMotion> ranked;   // best first
+  std::vector<std::string> left_out;  // names of motions on the floor: no recording of the runtime there is simulated
 };
 
 /// Simulates each motion under each model. Rivals: the nearest pair counts. Effects that would show: their sum, without
 /// those that the recordings of the case show already, which leave the question. A difference beyond that which is
-/// certain to show adds nothing.
+/// certain to show adds nothing. Motions on the floor only where the case has recordings there that are simulated.
 BodyPlan nextMotions(const BodyCase& given, BodyQuestion question, std::vector<PlannedMotion> motions);
 
-/// For a terminal; for programs.
-std::string asText(const BodyPlan& plan);
-nlohmann::ordered_json asJson(const BodyPlan& plan);
+/// For a terminal; for programs. `folder`: of the case, as a word for a shell.
+std::string asText(const BodyPlan& plan, const std::string& folder);
+nlohmann::ordered_json asJson(const BodyPlan& plan, const std::string& folder);
 
 }  // namespace darwinop::gap

@@ -4,7 +4,9 @@
 
 #include "core/text/formatted.hpp"
 #include "core/text/joined.hpp"
+#include "core/text/number_text.hpp"
 #include "gap/plan/body/motion_ranking.hpp"
+#include "gap/plan/messages.hpp"
 #include "gap/plan/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -40,14 +42,21 @@ bool isShown(const SignalDifference& difference) {
   return difference.sigma >= thresholds::kListedAsShown;
 }
 
-std::string setupJson(const PlannedMotion& motion) {
-  BodyObject entry{{"file", motion.experiment + ".csv"}, {"role", "fit"}, {"setup", name(motion.setup)}};
-  if (motion.up) entry["up"] = *motion.up;
-  if (!motion.lies_on.empty()) entry["up"] = motion.lies_on;
-  return entry.dump();
+/// Records it, and adds it to the case; clamped only.
+std::string recordCommand(const PlannedMotion& motion, const std::string& folder) {
+  std::vector<std::string> up;
+  for (const double part : *motion.up) up.push_back(text::shortestText(part));
+  return "darwinop gap record --add " + motion.experiment + " --up " + text::joined(up, ",") + " --out " + folder;
 }
 
-std::string textOf(const RankedMotion& ranked, const std::vector<std::string>& pairs) {
+/// Of a motion on the floor, which `darwinop gap record` does not record.
+BodyObject floorEntry(const PlannedMotion& motion) {
+  BodyObject entry{{"file", motion.experiment + ".csv"}, {"role", "fit"}, {"setup", name(motion.setup)}};
+  if (!motion.lies_on.empty()) entry["up"] = motion.lies_on;
+  return entry;
+}
+
+std::string textOf(const RankedMotion& ranked, const std::vector<std::string>& pairs, const std::string& folder) {
   std::string text = ranked.motion.name() + text::formatted(": %.1f min; first ", ranked.motion.seconds / 60) +
                      ranked.motion.prepare + "\n";
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -56,31 +65,35 @@ std::string textOf(const RankedMotion& ranked, const std::vector<std::string>& p
       text += "     " + pairs[i] + ": " + sigmasText(difference.sigma) + ", most in " + difference.largest +
               text::formatted(" (%.2g noise floors)\n", difference.floors);
   }
-  return text + "     darwinop experiment run " + ranked.motion.experiment + " --record " + ranked.motion.experiment +
-         ".csv\n     case.json: " + setupJson(ranked.motion) + "\n";
+  return text + "     " +
+         (ranked.motion.up ? recordCommand(ranked.motion, folder)
+                           : messages::kFloorMotion + floorEntry(ranked.motion).dump()) +
+         "\n";
 }
 
 }  // namespace
 
-std::string asText(const BodyPlan& plan) {
+std::string asText(const BodyPlan& plan, const std::string& folder) {
   const BodyQuestion& question = plan.question;
   if (question.models.size() < 2) return "The recordings of this case show every effect that is planned for.\n";
-  std::string text = question.is_rivalry
-                         ? "Recordings that separate " + text::joined(namesIn(question, 0)) + ":\n"
-                         : "Effects that these recordings cannot show: " + text::joined(namesIn(question, 1)) +
-                               ".\nRecordings that show them:\n";
+  std::string text =
+      question.is_rivalry
+          ? "Recordings that separate " + text::joined(namesIn(question, 0)) + ", with the --robot of the others:\n"
+          : "Effects that these recordings cannot show: " + text::joined(namesIn(question, 1)) +
+                ".\nRecordings that show them, with the --robot of the others:\n";
   const std::vector<std::string> pairs = pairsOf(question);
   std::size_t listed = 0;
   for (const RankedMotion& ranked : plan.ranked)
     if (listed < kListedMotions && std::ranges::any_of(ranked.differences, isShown))
-      text += text::formatted("%3zu  ", ++listed) + textOf(ranked, pairs);
+      text += text::formatted("%3zu  ", ++listed) + textOf(ranked, pairs, folder);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (std::ranges::none_of(plan.ranked, [&](const RankedMotion& one) { return isShown(one.differences[i]); }))
       text += "No motion known here: " + pairs[i] + "\n";
+  if (!plan.left_out.empty()) text += messages::kFloorNotPlanned + text::joined(plan.left_out, "; ") + "\n";
   return text;
 }
 
-nlohmann::ordered_json asJson(const BodyPlan& plan) {
+nlohmann::ordered_json asJson(const BodyPlan& plan, const std::string& folder) {
   BodyObject motions = BodyObject::array();
   const std::vector<std::string> pairs = pairsOf(plan.question);
   for (const RankedMotion& ranked : plan.ranked) {
@@ -95,12 +108,16 @@ nlohmann::ordered_json asJson(const BodyPlan& plan) {
                        {"first", ranked.motion.prepare},
                        {"seconds", ranked.motion.seconds},
                        {"gain_per_minute", ranked.perMinute()},
-                       {"shows", shows},
-                       {"entry", BodyObject::parse(setupJson(ranked.motion))}});
+                       {"shows", shows}});
+    if (ranked.motion.up)
+      motions.back()["run"] = recordCommand(ranked.motion, folder);
+    else
+      motions.back()["entry"] = floorEntry(ranked.motion);
   }
   return {{"aim", plan.question.is_rivalry ? "separate" : "reveal"},
           {"models", namesIn(plan.question, 0)},
-          {"experiments", motions}};
+          {"experiments", motions},
+          {"left_out", plan.left_out}};
 }
 
 }  // namespace darwinop::gap

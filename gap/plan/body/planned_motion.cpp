@@ -20,11 +20,10 @@ using experiments::TorqueMode;
 
 constexpr double kRowOfPlan = 0.016;  // s
 constexpr double kTickOfPlan = 2 * kPi / 4096;
-constexpr double kBattery = 11.8;  // V, where a case has none
-// s of a person: turning the stand, leaving it, hanging weights. Estimated.
-constexpr double kTurning = 60, kLeaving = 120, kWeights = 60;
-constexpr double kWayBack = 5;   // s
-constexpr double kLongest = 16;  // s, of what is simulated: a slow bow has tipped over by then
+constexpr double kBattery = 11.8;                // V, where a case has none
+constexpr double kTurning = 60, kLeaving = 120;  // s of a person, with the stand. Estimated
+constexpr double kWayBack = 5;                   // s
+constexpr double kLongest = 16;                  // s, of what is simulated: a slow bow has tipped over by then
 
 struct Direction {
   Axes up;
@@ -100,13 +99,6 @@ std::vector<PlannedMotion> plannedMotions() {
     for (const char* const name : {"body_sines", "body_triangles", "body_release", "body_chirp"})
       addIfThere(all, {.experiment = name, .up = direction.up, .prepare = direction.prepare, .where = direction.where},
                  kTurning);
-  addIfThere(all,
-             {.experiment = "body_triangles",
-              .up = kDirections[0].up,
-              .carried_kg = 0.1,
-              .prepare = "clamp the trunk upright and fix 100 g to the middle of each forearm",
-              .where = "upright, 100 g on each forearm"},
-             kTurning + kWeights);
   for (const char* const side : {"back", "front"})
     addIfThere(all,
                {.experiment = "body_lie",

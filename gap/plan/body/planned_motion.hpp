@@ -14,7 +14,6 @@ struct PlannedMotion {
   BodySetup setup = BodySetup::kClamped;
   std::optional<Axes> up = {};  // clamped: as in BodyLog
   std::string lies_on = {};     // lying: back or front
-  double carried_kg = 0;        // a known weight in each hand
   std::string prepare = {};     // "clamp the trunk face down"
   double seconds = 0;           // of robot time: the motion, the way there and back, the preparation
 
@@ -23,8 +22,8 @@ struct PlannedMotion {
   std::string where = {};  // "face down"
 };
 
-/// Motions of `darwinop gap record` in six directions, with a weight in the hands, lying and on the floor; then sways
-/// and bows. What cannot be read is left out.
+/// Motions of `darwinop gap record` in six directions, lying and on the floor; then sways and bows. What cannot be read
+/// is left out.
 std::vector<PlannedMotion> plannedMotions();
 
 /// `given` with these recordings in place of its own, not measured yet.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "gap/body/standing_robot.hpp"
 #include "gap/plan/body/motion_ranking.hpp"
+#include "gap/plan/messages.hpp"
 #include "gap/plant/body/joint_alone.hpp"
 
 namespace darwinop::gap {
@@ -19,15 +21,22 @@ BodyCase emptyCase() {
   return out;
 }
 
+/// Its recordings on the floor are not of the runtime.
+BodyCase caseOnFloor() {
+  BodyCase out = emptyCase();
+  addRecording(out, BodySetup::kFloor, 10, false);
+  return out;
+}
+
 FloorModel asItIs(const BodyCase& given) {
   return {.robot = {.robot = {bodyBaselineOf(given), {}}, .floor = {}}};
 }
 
-/// In these directions, without weights; none: every setup that has no direction.
+/// In these directions; none: every setup that has no direction.
 std::vector<PlannedMotion> motionsOf(const std::string& experiment, const std::vector<Axes>& ups = {}) {
   std::vector<PlannedMotion> out;
   std::ranges::copy_if(plannedMotions(), std::back_inserter(out), [&](const PlannedMotion& one) {
-    if (one.experiment != experiment || one.carried_kg > 0) return false;
+    if (one.experiment != experiment) return false;
     return one.up ? std::ranges::count(ups, *one.up) > 0 : ups.empty();
   });
   return out;
@@ -61,12 +70,12 @@ TEST(BodyPlan, ABiasAndAScaleOfTheAccelerometerAreSeparatedByAnotherDirection) {
   EXPECT_EQ(plan.ranked[0].differences[0].largest, "accelerometer.z");
   EXPECT_GT(plan.ranked[0].differences[0].sigma, 5);
   EXPECT_LT(plan.ranked[1].differences[0].sigma, 1);
-  EXPECT_THAT(asText(plan), HasSubstr("darwinop experiment run body_triangles"));
+  EXPECT_THAT(asText(plan, "mine"), HasSubstr("darwinop gap record --add body_triangles --up 0,-1,0 --out mine\n"));
 }
 
 // Nothing carries the trunk's weight while it is clamped.
 TEST(BodyPlan, ATrunkThatIsTooHeavyShowsOnTheFloorAlone) {
-  const BodyCase given = emptyCase();
+  const BodyCase given = caseOnFloor();
   BodyQuestion question;
   question.models = {{"light", asItIs(given)}, {"heavy", asItIs(given)}};
   question.models[1].model.robot.floor.trunk_mass_kg = 0.3;
@@ -78,12 +87,23 @@ TEST(BodyPlan, ATrunkThatIsTooHeavyShowsOnTheFloorAlone) {
   EXPECT_EQ(plan.ranked[0].motion.experiment, "body_stand");
   EXPECT_GT(plan.ranked[0].differences[0].sigma, 3);
   EXPECT_EQ(plan.ranked[1].differences[0].sigma, 0);
-  EXPECT_EQ(asJson(plan)["experiments"][0]["entry"]["setup"], "floor");
+  EXPECT_EQ(asJson(plan, "mine")["experiments"][0]["entry"]["setup"], "floor");
+}
+
+// floorLogs() leaves them out.
+TEST(BodyPlan, OnTheFloorNothingIsPlannedThatTheRuntimeWouldRecord) {
+  const BodyCase given = emptyCase();
+  BodyQuestion question;
+  question.models = {{"light", asItIs(given)}, {"heavy", asItIs(given)}};
+  question.models[1].model.robot.floor.trunk_mass_kg = 0.3;
+  const BodyPlan plan = nextMotions(given, question, {motionsOf("body_stand").front(), motionsOf("body_lie").front()});
+  EXPECT_TRUE(plan.ranked.empty());
+  EXPECT_THAT(asText(plan, "mine"), HasSubstr(std::string{messages::kFloorNotPlanned} + "body_stand"));
 }
 
 // Standing, a tilted floor and a shifted centre of mass are alike; lying they are not: docs/gap/body.md.
 TEST(BodyPlan, ATiltOfTheFloorAndAShiftedTrunkAreSeparatedByLying) {
-  const BodyCase given = emptyCase();
+  const BodyCase given = caseOnFloor();
   BodyQuestion question;
   question.models = {{"tilt", asItIs(given)}, {"shift", asItIs(given)}};
   question.models[0].model.robot.floor.tilt_rad = {0, 0.04};
