@@ -19,6 +19,9 @@ inline constexpr const char* kInvalidName = "is not a valid name";
 inline constexpr const char* kMissing = "is missing; give ";
 inline constexpr const char* kNeverMoved = "has no effect: that number counts as exact";
 inline constexpr const char* kNoFitLog = "has no log with \"role\": \"fit\"";
+inline constexpr const char* kNoSide =
+    ": the accelerometer does not show on which side the robot lies; write \"up\": \"left\" or \"right\", which is "
+    "down";
 inline constexpr const char* kNoPRegister = "the case does not have its P register";
 inline constexpr const char* kNotJson = "this is not JSON";
 inline constexpr const char* kNotJsonObject = "not a JSON object";

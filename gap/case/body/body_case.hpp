@@ -31,7 +31,7 @@ struct BodyLog {
   bool held_out = false;
   BodySetup setup = BodySetup::kFloor;
   std::optional<Axes> up;                // clamped: unit vector in the trunk's frame (left, up, forward)
-  std::string lies_on;                   // lying: back, front or side
+  std::string lies_on;                   // lying: back, front, left or right
   double session_start_s = 0;            // of row 0 within the session
   std::optional<std::size_t> repeat_of;  // index of the log that this one repeats
   double battery_v = 0;

@@ -8,6 +8,7 @@
 
 #include "core/text/formatted.hpp"
 #include "core/text/nearest.hpp"
+#include "gap/case/body/lying_side.hpp"
 #include "gap/case/fields.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
@@ -60,9 +61,12 @@ void readTrust(Fields trust, BodyCase& into) {
   trust.finish(into.warnings);
 }
 
+/// Of `up`: the side that the accelerometer shows.
+constexpr std::string_view kSomeSide = "side";
+
 void readUp(Fields& entry, BodyLog& into) {
   if (into.setup == BodySetup::kLying) {
-    const std::vector<std::string_view> sides{"back", "front", "side"};
+    const std::vector<std::string_view> sides{"back", "front", "left", "right", kSomeSide};
     into.lies_on = sides[entry.word("up", sides, sides.size())];
   }
   if (into.setup != BodySetup::kClamped) return entry.leave("up");
@@ -169,6 +173,8 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
     const logs::Log recording = loadLog(files, log.file);
     out.warnings.insert(out.warnings.end(), recording.warnings.begin(), recording.warnings.end());
     fillBodyLog(recording, log, out.joints.logs);
+    if (log.lies_on == kSomeSide) log.lies_on = sideOf(log, out.joints.model.imu);
+    if (log.setup == BodySetup::kLying && log.lies_on.empty()) throw BadInput(log.file + messages::kNoSide);
     if (log.fell_at_s)
       out.warnings.push_back(log.file +
                              text::formatted(": the robot falls at %.2f s; what follows is left out", *log.fell_at_s));

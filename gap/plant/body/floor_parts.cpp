@@ -83,8 +83,9 @@ void placeAtRest(const mjModel& m, mjData& d, const twin::BodyMap& map, const st
         Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     setQuat(quat, level * turnOf(quat));
   } else {
-    const double angle = lies_on == "front" ? kPi / 2 : -kPi / 2;
-    const Eigen::Vector3d about = lies_on == "side" ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+    const double angle = lies_on == "front" || lies_on == "right" ? kPi / 2 : -kPi / 2;
+    const bool is_on_side = lies_on == "left" || lies_on == "right";
+    const Eigen::Vector3d about = is_on_side ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
     setQuat(quat, Eigen::AngleAxisd{angle, about}.toRotationMatrix() * turnOf(quat));
   }
   mj_kinematics(&m, &d);

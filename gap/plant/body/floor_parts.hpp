@@ -10,7 +10,7 @@ namespace darwinop::gap {
 twin::MjModelPtr bodyOf(const twin::Model& model, const FloorHypothesis& hypothesis);
 
 /// At rest with these joint angles. `lies_on` empty: soles level, lowest point on the floor; else the trunk
-/// horizontal on its back, front or (left) side.
+/// horizontal on its back, front, left or right.
 void placeAtRest(const mjModel& m, mjData& d, const twin::BodyMap& map, const std::array<double, kJoints>& angles_rad,
                  std::string_view lies_on);
 

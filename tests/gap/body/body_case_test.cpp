@@ -64,6 +64,20 @@ TEST(BodyCase, AnErrorNamesTheFileTheLineAndTheField) {
   EXPECT_THAT(good.with("floor.csv", "../floor.csv").error(), HasSubstr(messages::kBeyondFolder));
 }
 
+TEST(BodyCase, ASideIsTheOneThatTheAccelerometerShows) {
+  const std::string clamped = R"("stand_clamped", "up": [-1, 0, 0])";
+  const auto lying = [&](const std::string& up) {
+    return BodyTexts{}.with(clamped, R"("lying", "up": ")" + up + "\"");
+  };
+  EXPECT_EQ(lying("side").read().logs[2].lies_on, "left");
+  EXPECT_EQ(lying("right").read().logs[2].lies_on, "right") << "as it is written";
+  BodyTexts on_right = lying("side");
+  on_right.logs["side.csv"] = SyntheticRobot{}.recording({1, 0, 0}, 2);
+  EXPECT_EQ(on_right.read().logs[2].lies_on, "right");
+  on_right.logs["side.csv"] = SyntheticRobot{}.recording({0, 0, 1}, 2);
+  EXPECT_THAT(on_right.error(), AllOf(HasSubstr("side.csv"), HasSubstr(messages::kNoSide)));
+}
+
 TEST(BodyCase, APriorOfWhichNothingIsKnownIsLeftOutAndSaid) {
   const BodyCase c =
       BodyTexts{}.with("{\"exact\": true}", R"({"body.mass": 0.03, "imu.bias_rad_s": 0.01, "cable": 0.2})").read();
