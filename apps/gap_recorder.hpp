@@ -19,7 +19,7 @@ inline constexpr const char* kKept = "kept";  // with --resume
 inline constexpr const char* kIncomplete = ": incomplete, see above";
 inline constexpr const char* kEndedBySignal = " was ended by signal ";  // then its number
 inline constexpr const char* kNobodyTurnsIt =
-    "the robot has to be placed anew between these recordings, and --yes waits for nobody; leave --yes out";
+    "the robot has to be turned between these recordings, and --yes waits for nobody; leave --yes out";
 inline constexpr const char* kUnusable = " cannot be used; find the cause and record it again";
 inline constexpr const char* kTakeItsRobot = "; give that one with --robot";
 }  // namespace messages
@@ -52,7 +52,7 @@ class BodyRecorder {
   [[nodiscard]] bool isSimulated() const { return !twin_.empty(); }
   [[nodiscard]] bool asks() const { return !given_.yes && !isSimulated(); }
   [[nodiscard]] bool isEnded() const { return end_signal_ != 0; }
-  /// A person has to place the robot anew between the recordings that are not there yet.
+  /// A person has to turn the robot between the recordings that are not there yet.
   [[nodiscard]] bool isTurnedBetween(const std::vector<PlannedRecording>& plans) const;
   [[nodiscard]] std::string fileOf(const PlannedRecording& plan) const;
   [[nodiscard]] const MadeRecording* find(const PlannedRecording& plan) const;
