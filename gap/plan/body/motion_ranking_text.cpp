@@ -76,16 +76,17 @@ std::string textOf(const RankedMotion& ranked, const std::vector<std::string>& p
 std::string asText(const BodyPlan& plan, const std::string& folder) {
   const BodyQuestion& question = plan.question;
   if (question.models.size() < 2) return "The recordings of this case show every effect that is planned for.\n";
-  std::string text =
-      question.is_rivalry
-          ? "Recordings that separate " + text::joined(namesIn(question, 0)) + ", with the --robot of the others:\n"
-          : "Effects that these recordings cannot show: " + text::joined(namesIn(question, 1)) +
-                ".\nRecordings that show them, with the --robot of the others:\n";
   const std::vector<std::string> pairs = pairsOf(question);
+  std::string motions;
   std::size_t listed = 0;
   for (const RankedMotion& ranked : plan.ranked)
     if (listed < kListedMotions && std::ranges::any_of(ranked.differences, isShown))
-      text += text::formatted("%3zu  ", ++listed) + textOf(ranked, pairs, folder);
+      motions += text::formatted("%3zu  ", ++listed) + textOf(ranked, pairs, folder);
+  std::string text, aim = "separate " + text::joined(namesIn(question, 0));
+  if (!question.is_rivalry)
+    text = "Effects that these recordings cannot show: " + text::joined(namesIn(question, 1)) + ".\n",
+    aim = "show them";
+  if (listed > 0) text += "Recordings that " + aim + ", with the --robot of the others:\n" + motions;
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (std::ranges::none_of(plan.ranked, [&](const RankedMotion& one) { return isShown(one.differences[i]); }))
       text += "No motion known here: " + pairs[i] + "\n";
