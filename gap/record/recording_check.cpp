@@ -96,8 +96,9 @@ std::vector<std::string> problemsOf(const logs::Log& recording, const std::strin
       parseBodyCase(bodyCaseJson("recording", model, RecordedRobot::kSimulated, {alone}), made.plan.file, files);
   const BodyLogCheck check = checkData(given).logs.front();
   std::vector<std::string> out = given.warnings;
-  if (const std::size_t lost = given.logs.front().lost_rows + check.late_rows; lost > 0)
-    out.push_back(text::formatted("%zu cycles are missing; end other programs on this computer", lost));
+  if (check.late_rows > 0 || given.logs.front().lost_rows > 0)
+    out.push_back(text::formatted("%zu cycles are late or missing; end other programs on this computer",
+                                  std::max(check.late_rows, given.logs.front().lost_rows)));
   for (std::size_t joint = 0; joint < kJoints; ++joint)
     if (const std::string name{kJointTable[joint].name};
         given.is_absent[joint] && !isEmpty(recording.column(name + ".commanded")))

@@ -111,8 +111,6 @@ BodyCheck checkData(const BodyCase& given) {
     if (log.up && check.greatest_rate_rad_s > kClampedRate)
       out.warnings.push_back(log.file + ": the trunk turns by " + std::to_string(check.greatest_rate_rad_s) +
                              " rad/s although it is clamped; was it held by hand?");
-    if (log.lost_rows > 0)
-      out.warnings.push_back(log.file + ": " + std::to_string(log.lost_rows) + " rows are lost; `cycle` has gaps");
   }
   out.orientations = orientationsOf(given);
   if (std::ranges::none_of(given.logs, [](const BodyLog& log) { return log.up && !log.held_out; }))

@@ -9,7 +9,9 @@
 #include "core/servo_limits.hpp"
 #include "core/units.hpp"
 #include "gap/case/bad_rows.hpp"
+#include "gap/case/body/asked_limits.hpp"
 #include "gap/case/body/fall.hpp"
+#include "gap/case/body/lost_rows.hpp"
 #include "gap/case/body/parse_body_case.hpp"
 #include "gap/case/servo_columns.hpp"
 #include "gap/case/wire_schedule.hpp"
@@ -21,8 +23,6 @@ constexpr std::size_t kFewestRows = 20;        // 0.3 s at 16 ms
 constexpr double kTurns = 2 * 2 * kPi;         // rad
 constexpr double kFastest = 2 * 34.907;        // rad/s, twice the range of the gyroscope
 constexpr double kHardest = 2 * 4 * kGravity;  // m/s2, twice that of the accelerometer
-
-constexpr double kMostCycles = 1e9;  // half a year: beyond, `cycle` is not a counter
 
 /// Throws BadInput for the first value outside of the range that its unit has in a robot.
 void checkRange(const logs::Log& log, const logs::Column& column, double low, double high, const char* advice) {
@@ -57,14 +57,6 @@ AxesColumns axesOf(const logs::Log& log, const std::string& sensor, const char* 
   return out;
 }
 
-std::size_t lostRows(const logs::Log& log) {
-  const logs::Column* const cycle = log.find("cycle");
-  if (cycle == nullptr || log.rows() == 0) return static_cast<std::size_t>(log.lost_rows);
-  const double span = cycle->values.back() - cycle->values.front() + 1;
-  const auto rows = static_cast<double>(log.rows());
-  return span > rows && span < kMostCycles ? static_cast<std::size_t>(span - rows) : 0;
-}
-
 /// False: never. A servo that is silent for long has another fault than a model can have.
 bool answers(const logs::Log& log, const logs::Column& position) {
   const auto silent = std::ranges::count_if(position.values, [](double value) { return std::isnan(value); });
@@ -73,18 +65,6 @@ bool answers(const logs::Log& log, const logs::Column& position) {
     throw BadInput(log.file + ": column " + position.name + " is empty in " + std::to_string(silent) + " of " +
                    std::to_string(log.rows()) + " rows; check the cable of that servo and measure again");
   return true;
-}
-
-/// The servo's own speed limit, rad/s; 0: none is known. Where it changes it is not replayed.
-double speedLimitOf(const logs::Column* column) {
-  if (column == nullptr) return 0;
-  double found = 0;
-  for (const double limit : column->values) {
-    if (std::isnan(limit)) continue;
-    if (found != 0 && found != limit) return 0;
-    found = limit;
-  }
-  return found;
 }
 
 /// The goal as the servo's register has it.
@@ -145,7 +125,7 @@ Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
   out.supply_v = head.battery_v;
   out.session_start_s = head.session_start_s;
   out.time_s = head.time_s;
-  out.speed_limit_rad_s = speedLimitOf(columns.speed_limit);
+  out.speed_limit_rad_s = speedLimitOf(log, joint);
   double goal = std::isnan(columns.goal->values[0]) ? columns.position->values[0] : columns.goal->values[0];
   for (std::size_t row = 0; row < log.rows(); ++row) {
     if (!std::isnan(columns.goal->values[row])) goal = columns.goal->values[row];
@@ -154,6 +134,7 @@ Trajectory jointOf(const logs::Log& log, const BodyLog& head, Joint joint) {
     const double asked = columns.p_gain->values[row];
     out.p_register_of_row.push_back((std::isnan(asked) ? kDefaultPGain : asked) / gain.scale);
   }
+  refuseActiveLimits(log, joint, out);
   if (is_absent) std::ranges::fill(out.goal_rad, 0), std::ranges::fill(out.torque_on, 0);
   return out;
 }
@@ -175,6 +156,7 @@ void fillBodyLog(const logs::Log& file, BodyLog& log, std::vector<Trajectory>& j
   for (std::size_t joint = 0; joint < kJoints; ++joint)
     joints.push_back(jointOf(recording, log, static_cast<Joint>(joint)));
   fillWireSchedule(recording, std::span{joints}.last(kJoints));
+  forgetAfterLostRows(recording, std::span{joints}.last(kJoints));  // which reply a row has is known of all
   log.is_phase_known = !joints.back().isReadAfterWrite() || isInLockstep(recording);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/text/formatted.hpp"
 #include "core/text/nearest.hpp"
+#include "gap/case/body/lost_rows.hpp"
 #include "gap/case/body/lying_side.hpp"
 #include "gap/case/fields.hpp"
 #include "gap/case/messages.hpp"
@@ -178,6 +179,8 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
     if (log.fell_at_s)
       out.warnings.push_back(log.file +
                              text::formatted(": the robot falls at %.2f s; what follows is left out", *log.fell_at_s));
+    if (log.lost_rows > 0)
+      out.warnings.push_back(log.file + ": " + std::to_string(log.lost_rows) + messages::kRowsLost);
   }
   findAbsent(out);
   out.joints.name = out.name;
