@@ -39,6 +39,28 @@ std::vector<double> slopesOf(const std::vector<double>& time_s, const std::vecto
   return out;
 }
 
+/// Values that are missing, linear between the nearest that are known; 0 where none is.
+std::vector<double> interpolated(const std::vector<double>& time_s, std::vector<double> values) {
+  std::vector<std::size_t> known;
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (!std::isnan(values[row])) known.push_back(row);
+  std::size_t next = 0;  // in `known`: the first at or after the row
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    while (next < known.size() && known[next] < row) ++next;
+    if (!std::isnan(values[row])) continue;
+    if (known.empty()) {
+      values[row] = 0;
+    } else if (next == 0 || next == known.size()) {
+      values[row] = values[next == 0 ? known.front() : known.back()];
+    } else {
+      const std::size_t before = known[next - 1], after = known[next];
+      const double share = (time_s[row] - time_s[before]) / (time_s[after] - time_s[before]);
+      values[row] = values[before] + share * (values[after] - values[before]);
+    }
+  }
+  return values;
+}
+
 Eigen::Vector3d axisAt(const mjtNum* values) {
   return {values[0], values[1], values[2]};
 }
@@ -90,18 +112,18 @@ std::array<StanceRates, 2> stanceRates(const BodyCase& given, std::size_t log) {
   for (Eigen::Index i = 0; i < 3; ++i) sensor.row(i) = axisAt(mounted.gyro[static_cast<std::size_t>(i)].data());
   const std::vector<double>& time = given.logs[log].time_s;
   const auto rows = static_cast<Eigen::Index>(time.size());
-  std::array<std::vector<double>, kJoints> speed;
-  for (std::size_t i = 0; i < kJoints; ++i) speed[i] = slopesOf(time, given.joint(log, i).position_rad);
+  std::array<std::vector<double>, kJoints> speed, angle;
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    speed[i] = slopesOf(time, given.joint(log, i).position_rad);
+    angle[i] = interpolated(time, given.joint(log, i).position_rad);
+  }
   std::array<StanceRates, 2> out;
   std::array<Eigen::MatrixX3d, 2> rates;
   for (std::size_t foot = 0; foot < 2; ++foot)
     for (auto* of : {&rates[foot], &out[foot].forward, &out[foot].left}) of->setZero(rows, 3);
   for (Eigen::Index row = 0; row < rows; ++row) {
     const auto r = static_cast<std::size_t>(row);
-    for (std::size_t i = 0; i < kJoints; ++i) {
-      const double position = given.joint(log, i).position_rad[r];
-      d.qpos[map.qpos[i]] = std::isnan(position) ? 0 : position;
-    }
+    for (std::size_t i = 0; i < kJoints; ++i) d.qpos[map.qpos[i]] = angle[i][r];
     mj_kinematics(&m, &d);
     // Columns: the gyroscope's axes in the world.
     const Eigen::Matrix3d trunk =

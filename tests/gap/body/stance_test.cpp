@@ -122,6 +122,16 @@ TEST(Stance, NoFootStandsWhileTheRobotTipsOver) {
   EXPECT_NEAR(static_cast<double>(all - rows()), 0.5 / 0.016, 1);
 }
 
+TEST(Stance, AServoThatMissesAnAnswerIsWhereItsNeighboursInTimeShowIt) {
+  BodyCase given = standingRobot(shippedOnFloor());
+  constexpr std::size_t kMissing = 60;
+  const Eigen::MatrixX3d all = stanceRates(given, 0)[0].forward;
+  given.joints.logs[index(Joint::kLegLowerR)].position_rad[kMissing] = std::nan("");
+  const StanceRates without = stanceRates(given, 0)[0];
+  EXPECT_TRUE(without.known[kMissing]);
+  EXPECT_LT((without.forward - all).cwiseAbs().maxCoeff(), 0.02) << "a knee at 0 would turn the foot by its angle";
+}
+
 // Robots of another simulator, in which the gyroscope has at most a bias or a turned board.
 TEST(Stance, ExampleCasesWithoutSuchAnEffectHaveNoName) {
   if (!std::filesystem::exists(sharedData("body-gap-cases"))) GTEST_SKIP() << "no example cases";
