@@ -109,9 +109,6 @@ std::vector<std::string> problemsOf(const logs::Log& recording, const std::strin
   if (!stuck.empty())
     out.push_back(text::listed(stuck) + " did not move; check cable and torque of " +
                   (stuck.size() == 1 ? "that servo" : "these servos"));
-  if (made.plan.up && check.greatest_rate_rad_s > kClampedRate)
-    out.push_back(text::formatted("the trunk turned by %.2f rad/s although it is clamped; tighten the stand",
-                                  check.greatest_rate_rad_s));
   if (const double off = made.plan.up ? misplacedBy(given, imu) : 0; off > kWrongSide)
     out.push_back(
         text::formatted("gravity is off by %.0f degrees from where it was asked to be; is the robot placed as "

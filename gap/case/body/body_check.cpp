@@ -6,19 +6,14 @@
 
 #include "core/text/nearest.hpp"
 #include "core/units.hpp"
+#include "gap/case/body/clamped_trunk.hpp"
+#include "gap/case/median.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr double kUnmoved = 4 * 2 * kPi / 4096;  // rad: noise of an encoder is a tick
 constexpr double kIndependent = 0.3;             // sine of the least angle between directions of gravity
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 double dot(const Axes& a, const Axes& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -34,17 +29,6 @@ std::vector<std::string> emptyAxes(const std::string& sensor, const AxesColumns&
   for (std::size_t axis = 0; axis < columns.size(); ++axis)
     if (isEmpty(columns[axis])) out.push_back(sensor + "." + "xyz"[axis]);
   return out;
-}
-
-double greatestRate(const AxesColumns& gyro) {
-  double greatest = 0;
-  for (const std::vector<double>& axis : gyro) {
-    std::vector<double> known;
-    std::ranges::copy_if(axis, std::back_inserter(known), [](double value) { return !std::isnan(value); });
-    const double median = medianOf(known);
-    for (const double value : known) greatest = std::max(greatest, std::abs(value - median));
-  }
-  return greatest;
 }
 
 BodyLogCheck checkOf(const BodyCase& given, std::size_t i) {
@@ -105,13 +89,7 @@ std::string noReadingText(const BodyLogCheck& check) {
 BodyCheck checkData(const BodyCase& given) {
   BodyCheck out;
   out.warnings = given.warnings;
-  for (std::size_t i = 0; i < given.logs.size(); ++i) {
-    const BodyLog& log = given.logs[i];
-    const BodyLogCheck& check = out.logs.emplace_back(checkOf(given, i));
-    if (log.up && check.greatest_rate_rad_s > kClampedRate)
-      out.warnings.push_back(log.file + ": the trunk turns by " + std::to_string(check.greatest_rate_rad_s) +
-                             " rad/s although it is clamped; was it held by hand?");
-  }
+  for (std::size_t i = 0; i < given.logs.size(); ++i) out.logs.push_back(checkOf(given, i));
   out.orientations = orientationsOf(given);
   if (std::ranges::none_of(given.logs, [](const BodyLog& log) { return log.up && !log.held_out; }))
     out.cannot_show.emplace_back("bias, scale, axes and mounting of the inertial sensor: clamp the trunk in a stand");

@@ -10,9 +10,6 @@
 
 namespace darwinop::gap {
 
-/// rad/s about the median, five steps of the register: a clamped trunk does not turn as fast.
-inline constexpr double kClampedRate = 0.3;
-
 struct BodyLogCheck {
   double duration_s = 0, period_s = 0;    // median period
   std::size_t late_rows = 0;              // more than half a period late: holes in time

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 #include "core/text/formatted.hpp"
 #include "core/text/nearest.hpp"
+#include "gap/case/body/contradicted_recording.hpp"
 #include "gap/case/body/lost_rows.hpp"
 #include "gap/case/body/lying_side.hpp"
 #include "gap/case/fields.hpp"
@@ -170,8 +172,9 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
   readTrust(top.object("trust"), out);
   readLogs(top, out);
   top.finish(out.warnings);
+  std::optional<logs::Log> first;
   for (BodyLog& log : out.logs) {
-    const logs::Log recording = loadLog(files, log.file);
+    logs::Log recording = loadLog(files, log.file);
     out.warnings.insert(out.warnings.end(), recording.warnings.begin(), recording.warnings.end());
     fillBodyLog(recording, log, out.joints.logs);
     if (log.lies_on == kSomeSide) log.lies_on = sideOf(log, out.joints.model.imu);
@@ -181,8 +184,12 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
                              text::formatted(": the robot falls at %.2f s; what follows is left out", *log.fell_at_s));
     if (log.lost_rows > 0)
       out.warnings.push_back(log.file + ": " + std::to_string(log.lost_rows) + messages::kRowsLost);
+    if (first) refuseOtherRobot(*first, recording, out.warnings);
+    recording.columns.clear();  // of its head alone
+    if (!first) first = std::move(recording);
   }
   findAbsent(out);
+  for (std::size_t log = 0; log < out.logs.size(); ++log) refuseContradicted(out, log);
   out.joints.name = out.name;
   out.joints.folder = out.folder;
   return out;

@@ -9,8 +9,8 @@
 #include "core/sensors.hpp"
 #include "core/text/formatted.hpp"
 #include "core/units.hpp"
+#include "gap/case/body/row_law.hpp"
 #include "gap/identify/body/floor_effect.hpp"
-#include "gap/localize/body/row_law.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "gap/localize/body/row_law.hpp"
+#include "gap/case/body/row_law.hpp"
 #include "gap/localize/body/stop_contact.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"

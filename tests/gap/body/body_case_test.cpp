@@ -1,8 +1,10 @@
 // A case of the whole robot: what is read, what is refused, and with which facts.
 #include <gmock/gmock.h>
 
+#include "gap/body/edited_columns.hpp"
 #include "gap/body/synthetic_robot.hpp"
 #include "gap/case/body/body_check.hpp"
+#include "gap/case/body/clamped_trunk.hpp"
 #include "gap/case/messages.hpp"
 
 namespace darwinop::gap {
@@ -166,11 +168,13 @@ TEST(BodyCase, AFallAndWhatFollowsAreLeftOut) {
 }
 
 TEST(BodyCheck, AClampedTrunkThatTurnsIsReported) {
-  BodyCase held = BodyTexts{}.read();
-  held.logs[2].gyro_rad_s[1][30] = 1.5;
-  EXPECT_THAT(checkData(held).warnings, ElementsAre(HasSubstr("side.csv")));
-  held.logs[4].gyro_rad_s[1][30] = 1.5;  // on the floor it may
-  EXPECT_EQ(checkData(held).warnings.size(), 1u);
+  const auto jerk = [](std::size_t row, const std::string& field) { return row == 30 ? "1.5" : field; };
+  BodyTexts held;
+  for (const char* log : {"side.csv", "floor.csv"})  // on the floor it may
+    held.logs[log] = withColumn(held.logs[log], "gyro.y", jerk);
+  const BodyCase given = held.read();
+  EXPECT_THAT(given.warnings, ElementsAre(AllOf(HasSubstr("side.csv"), HasSubstr(messages::kTrunkShakes))));
+  EXPECT_EQ(checkData(given).warnings, given.warnings);
 }
 
 }  // namespace

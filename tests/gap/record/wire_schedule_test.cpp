@@ -5,7 +5,7 @@
 
 #include "core/packet.hpp"
 #include "gap/body/synthetic_robot.hpp"
-#include "gap/localize/body/row_law.hpp"
+#include "gap/case/body/row_law.hpp"
 #include "gap/plant/body/joint_alone.hpp"
 #include "hal/cm730/wire.hpp"
 
