@@ -9,6 +9,7 @@
 #include "gap/case/body/body_check.hpp"
 #include "gap/export/body/body_export.hpp"
 #include "gap/identify/body/body_identification.hpp"
+#include "gap/identify/body/compared_models.hpp"
 #include "gap/identify/body/mechanics_text.hpp"
 #include "gap/localize/body/floor_rows.hpp"
 #include "gap/report/body/body_additions.hpp"
@@ -113,6 +114,16 @@ int addToBody(const Arguments& given) {
   for (const AddedAxes& axes : added.additions.axes)
     std::cerr << "darwinop gap: [" << axes.section << "] " << axes.key << " changed\n";
   for (const std::string& sentence : added.left_out) std::cerr << "darwinop gap: " << sentence << '\n';
+  return 0;
+}
+
+int compareOnBody(const Arguments& given) {
+  if (!given.report.empty() || given.open) throw std::runtime_error(messages::kNoPageOfBody);
+  const BodyCase read = readBody(given);
+  const twin::Model after = twin::readModel(twin::findModel(given.after));
+  const twin::Model before = given.before.empty() ? read.joints.model : twin::readModel(twin::findModel(given.before));
+  const HeldOutGap gap = compareModels(read, before, after);
+  std::cout << (given.json ? jsonText(comparedJson(read, gap), 1) + "\n" : comparedText(read, gap));
   return 0;
 }
 

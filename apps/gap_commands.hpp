@@ -84,6 +84,7 @@ int checkBody(const Arguments& given);
 int locateBody(const Arguments& given);
 int runBody(const Arguments& given);
 int addToBody(const Arguments& given);
+int compareOnBody(const Arguments& given);
 int writeBodyFor(const Arguments& given);
 int planForBody(const Arguments& given);  // gap_plan.cpp
 int recordBody(const Arguments& given);   // gap_record.cpp

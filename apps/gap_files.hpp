@@ -14,6 +14,8 @@ inline constexpr const char* kOtherCase =
     "darwinop gap run ";
 inline constexpr const char* kOtherReport = "; give another folder with --report";
 inline constexpr const char* kNoReportFolder = " is not a folder; give another folder with --report";
+inline constexpr const char* kNoPageOfBody =
+    "report of a whole robot prints its figures and writes no page; leave out --report and --open";
 inline constexpr const char* kModelOfReport = ", repaired.ini the model with the effects";
 inline constexpr const char* kRecordingExists =
     " exists; --resume keeps the recordings there and makes the others, or give another folder with --out";

@@ -131,6 +131,7 @@ int run(const Arguments& given) try { return runFolder(given); } catch (const Ba
 }
 
 int compareModels(const Arguments& given) {
+  if (isBodyCase(given.folder)) return compareOnBody(given);
   const Case read = readCase(given.folder);
   const std::string before = given.before.empty() ? caseModel(read) : textOf(twin::findModel(given.before));
   Report report = reportOn(read, before, textOf(twin::findModel(given.after)));

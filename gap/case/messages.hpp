@@ -39,7 +39,7 @@ inline constexpr const char* kSecondSigma = "stands for a number that has a sigm
 inline constexpr const char* kTwoModels = "and `baseline` are two models";
 inline constexpr const char* kUnknownKey = "is not known";
 inline constexpr const char* kWholeRobot =
-    "is body: a case of the whole robot, which `check`, `locate` and `run` take; docs/gap/body.md";
+    "is body: a case of the whole robot, which this command does not take; docs/gap/body.md has those that do";
 inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
 
 inline constexpr const char* kManyLogs =

@@ -5,6 +5,7 @@
 
 #include "gap/body/moving_robot.hpp"
 #include "gap/body/standing_robot.hpp"
+#include "gap/identify/body/compared_models.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -49,6 +50,29 @@ TEST(HeldOutGap, AFloorThatSlopesIsInTheGapBeforeAndNotInTheGapAfter) {
   EXPECT_GT(gap.before.joints, 1.2 * gap.floor.joints);
   EXPECT_GT(gap.before.accel, 2 * gap.floor.accel);
   expectNoise(gap.after, gap.floor);
+}
+
+TEST(ComparedModels, TheOneThatHasTheFrictionIsBetterOnHeldOutLogs) {
+  BodyHypothesis hidden = shippedRobot();
+  const twin::EffectInfo* const viscous = twin::findEffect("viscous");
+  hidden.servos.with(*viscous, {.kind = Place::Kind::kJoint, .name = "Neck"}).values = {0.08};
+  const BodyCase given = movingRobot(hidden);
+  const twin::Model before = given.joints.model;
+  twin::Model after = before;
+  after.effects.push_back({.info = viscous, .values = {0.08}, .joint = Joint::kNeck});
+  const HeldOutGap better = compareModels(given, before, after), worse = compareModels(given, after, before);
+  EXPECT_GT(better.before.joints, 1.2 * better.floor.joints);
+  EXPECT_NEAR(better.after.joints / better.floor.joints, 1, 0.2);
+  EXPECT_EQ(better.before.joints, worse.after.joints);
+  EXPECT_EQ(comparedJson(given, better)["gap_score_after"]["joints_mrad"], 1e3 * better.after.joints);
+}
+
+TEST(ComparedModels, WithoutAHeldOutLogNothingIsCompared) {
+  BodyCase given = movingRobot(shippedRobot());
+  for (BodyLog& log : given.logs) log.held_out = false;
+  for (Trajectory& log : given.joints.logs) log.held_out = false;
+  const twin::Model model = given.joints.model;
+  EXPECT_THROW((void)compareModels(given, model, model), std::runtime_error);
 }
 
 TEST(HeldOutGap, AFrictionIsInTheGapOfClampedLogs) {
