@@ -7,13 +7,14 @@
 
 #include "core/text/formatted.hpp"
 #include "gap/case/body/row_law.hpp"
+#include "gap/case/median.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr std::size_t kFewest = 50;     // rows
 constexpr double kPlain = 0.1;          // rms, of full duty: as recorded, the law is off by more
-constexpr double kMoves = 0.03;         // rms, of full duty: of a load that shows anything
+constexpr double kMoves = 0.03;         // rms, of full duty, about the median: constants fit by chance
 constexpr double kPlainlyBetter = 0.2;  // of that residual is left with the other column
 
 /// Goal, position and load of one row: the law leaves the load minus its duty.
@@ -38,8 +39,8 @@ class LawFit {
       return of.load - dutyFor(servo_, rows_.pRegisterAt(written), of.goal_rad - of.position_rad);
     });
   }
-  [[nodiscard]] double loadRms() const {
-    return rmsOf([&](std::size_t row, std::size_t) { return rows_.load[row]; });
+  [[nodiscard]] double loadRms(double from = 0) const {
+    return rmsOf([&](std::size_t row, std::size_t) { return rows_.load[row] - from; });
   }
 
  private:
@@ -104,9 +105,10 @@ void refuseExchangedColumns(const BodyCase& given, std::size_t log) {
   if (given.joints.model.servo.law != twin::Law::kVoltageP) return;
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     const LawFit fit{given, log, joint};
-    const double load = fit.loadRms(), as_recorded = fit.rms([](std::size_t, LawRow of) { return of; });
+    const double load = fit.loadRms(), moves = fit.loadRms(medianOf(given.joint(log, joint).load));
+    const double as_recorded = fit.rms([](std::size_t, LawRow of) { return of; });
     // The law has to be worse than none at all.
-    if (given.is_absent[joint] || !(load > kMoves) || !(as_recorded > std::max(kPlain, load))) continue;
+    if (given.is_absent[joint] || !(moves > kMoves) || !(as_recorded > std::max(kPlain, load))) continue;
     const OtherColumn* best = nullptr;
     double least = kPlainlyBetter * as_recorded;
     const std::vector<OtherColumn> others = otherColumns(given, log, joint);
