@@ -177,8 +177,6 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
     logs::Log recording = loadLog(files, log.file);
     out.warnings.insert(out.warnings.end(), recording.warnings.begin(), recording.warnings.end());
     fillBodyLog(recording, log, out.joints.logs);
-    if (log.lies_on == kSomeSide) log.lies_on = sideOf(log, out.joints.model.imu);
-    if (log.setup == BodySetup::kLying && log.lies_on.empty()) throw BadInput(log.file + messages::kNoSide);
     if (log.fell_at_s)
       out.warnings.push_back(log.file +
                              text::formatted(": the robot falls at %.2f s; what follows is left out", *log.fell_at_s));
@@ -187,6 +185,12 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
     if (first) refuseOtherRobot(*first, recording, out.warnings);
     recording.columns.clear();  // of its head alone
     if (!first) first = std::move(recording);
+  }
+  for (std::size_t i = 0; i < out.logs.size(); ++i) {
+    BodyLog& log = out.logs[i];
+    if (log.lies_on != kSomeSide) continue;
+    log.lies_on = sideOf(out, i);
+    if (log.lies_on.empty()) throw BadInput(log.file + messages::kNoSide);
   }
   findAbsent(out);
   for (std::size_t log = 0; log < out.logs.size(); ++log) refuseContradicted(out, log);

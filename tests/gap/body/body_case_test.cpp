@@ -80,6 +80,18 @@ TEST(BodyCase, ASideIsTheOneThatTheAccelerometerShows) {
   EXPECT_THAT(on_right.error(), AllOf(HasSubstr("side.csv"), HasSubstr(messages::kNoSide)));
 }
 
+// Whatever the model says of its axes: that may be what is missing in it.
+TEST(BodyCase, ASideIsTheOneThatAClampedLogReadsAlike) {
+  SyntheticRobot mirrored;
+  mirrored.map = [](const Vector& reading) { return Vector{-reading[0], reading[1], -reading[2]}; };
+  BodyTexts texts{mirrored};
+  texts = texts.with(R"("setup": "floor")", R"("setup": "lying", "up": "side")");
+  texts.logs["floor.csv"] = mirrored.recording({-1, 0, 0}, 2);
+  EXPECT_EQ(texts.read().logs[4].lies_on, "left");
+  texts.logs["floor.csv"] = mirrored.recording({1, 0, 0}, 2);
+  EXPECT_EQ(texts.read().logs[4].lies_on, "right");
+}
+
 TEST(BodyCase, APriorOfWhichNothingIsKnownIsLeftOutAndSaid) {
   const BodyCase c =
       BodyTexts{}.with("{\"exact\": true}", R"({"body.mass": 0.03, "imu.bias_rad_s": 0.01, "cable": 0.2})").read();
