@@ -56,6 +56,15 @@ class SoundGraph : public testing::Test {
       return started != nullptr && started->id == id;
     });
   }
+  /// Two threads report them, so they come in either order.
+  void awaitBeginAndError() {
+    bool has_begun = false, has_failed = false;
+    await([&](const SoundEvent& event) {
+      has_begun = has_begun || std::holds_alternative<SoundStarted>(event);
+      has_failed = has_failed || std::holds_alternative<SoundError>(event);
+      return has_begun && has_failed;
+    });
+  }
   /// Ends the program; sound() starts the next one.
   void endProgram() { sound_.reset(); }
   /// Ends the program and reads what it has played.
