@@ -44,8 +44,8 @@ void BodyRecorder::goOn(const BodyCase& so_far) {
   if (isOtherRobot(robot_, twin_))
     throw BadInput(first.file + ": " + messages::kOfAnotherRobot + robot_ + messages::kTakeItsRobot);
   if (isSimulated()) return;
-  std::vector<double> begins_s;
-  for (const logs::Log& one : recordings) begins_s.push_back(dateIn(one));
+  std::vector<double> begins_s(recordings.size());
+  std::ranges::transform(recordings, begins_s.begin(), dateIn);
   const double used_s = std::max(0.0, so_far.logs.front().from_s - first.seconds(0));  // from_s may be -inf
   continueSession(begins_s.front() + used_s - so_far.logs.front().session_start_s, std::ranges::max(begins_s));
 }

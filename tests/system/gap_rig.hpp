@@ -50,7 +50,7 @@ class GapRig : public Rig {
     std::ofstream{file("case/up.csv")} << text.replace(at, text.find('\n', at) - at, robot);
     std::ofstream{file("case/case.json")} << R"({"case": "case", "family": "body", "model": "darwin-op",
       "trust": {}, "logs": [{"file": "up.csv", "role": "fit", "setup": "stand_clamped", "up": [0, 1, 0],
-      "battery_V": 11.8}]})";
+      "from_s": 7.3, "battery_V": 11.8}]})";  // the twin has been in the pose for 1.4 s
   }
 
   /// Signals that diverge from the model.
