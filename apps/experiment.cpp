@@ -58,6 +58,7 @@ void describeRun(CLI::App& app, ExperimentRequest& a) {
       "robot; default: DARWINOP_ROBOT, or else the first one found:\n" + darwinop::connect::settingChoices());
   app.add_option("--record", a.record, "recording; default: NAME-DATE-ROBOT.csv in this folder");
   app.add_flag("--no-record", a.no_record, "do not record")->excludes("--record");
+  app.add_flag("--allow-clamped", a.allows_clamped, "exit with 0 also if the robot's limits clamp goals");
   app.add_option("--period", a.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));
   app.add_flag("--yes", a.yes, "permit moving a real robot");
   app.footer(

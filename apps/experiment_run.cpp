@@ -40,8 +40,8 @@ safety::Config safetyOf(const connect::Setting& robot) {
   return connect::safetyOn(connect::readRobotFile(), {}, "config.ini");
 }
 
-/// Throws std::runtime_error if the experiment names a joint that is absent. One of all joints is one of those there
-/// are.
+/// Throws std::runtime_error if the experiment names a joint that is absent. With `all` it means those that are
+/// present.
 void requireJoints(const Experiment& experiment, const Plan& plan, const std::bitset<kJoints>& absent) {
   std::bitset<kJoints> moved, recorded;
   for (const JointPlan& joint : plan.moved) moved.set(index(joint.joint));
@@ -92,7 +92,15 @@ RunOutcome drive(const Experiment& experiment, const Plan& plan, Shortfalls& sho
   return Runner{robot, experiment, stop, report}.run();
 }
 
-int reportEnd(RunOutcome outcome, const Shortfalls& shortfalls, const std::string& record) {
+/// False: it was not done as asked.
+bool reportShortfalls(const Shortfalls& shortfalls, bool allows_clamped) {
+  const std::string unmeasured = shortfalls.unmeasuredText(), clamped = shortfalls.clampedText();
+  std::cerr << unmeasured << clamped;
+  return unmeasured.empty() && (clamped.empty() || allows_clamped);
+}
+
+int reportEnd(RunOutcome outcome, const Shortfalls& shortfalls, const ExperimentRequest& asked) {
+  const std::string& record = asked.record;
   const bool is_recorded = reportRecording(record);
   // The API answers a second request as the end of the robot.
   if (outcome == RunOutcome::kEnded && webots_api::stopRequested()) outcome = RunOutcome::kStopped;
@@ -112,8 +120,7 @@ int reportEnd(RunOutcome outcome, const Shortfalls& shortfalls, const std::strin
                    "the fall on\n";
       return app::kFailed;
     default:
-      std::cerr << shortfalls.text();
-      return is_recorded && shortfalls.text().empty() ? app::kDone : app::kFailed;
+      return reportShortfalls(shortfalls, asked.allows_clamped) && is_recorded ? app::kDone : app::kFailed;
   }
 }
 
@@ -148,7 +155,7 @@ int run(ExperimentRequest a) {
   setenv("DARWINOP_KEEP_CWD", "1", 1);  // file names are relative to the user's folder
   Shortfalls shortfalls{plan, experiment.record_joints, safety.absent};
   const RunOutcome outcome = drive(experiment, plan, shortfalls);
-  return reportEnd(outcome, shortfalls, a.record);
+  return reportEnd(outcome, shortfalls, a);
 }
 
 }  // namespace darwinop::experiments

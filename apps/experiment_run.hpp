@@ -17,6 +17,7 @@ struct ExperimentRequest {
   int period_ms = 0;       // 0: default
   bool yes = false;        // do not ask before moving a real robot
   bool no_record = false;
+  bool allows_clamped = false;  // clamped goals are reported only
 };
 
 /// Returns the exit code. Throws std::runtime_error before anything moves, webots_api::EndedBeforeReady also after

@@ -28,8 +28,7 @@ inline constexpr const char* kNotADirection =
     ": give three numbers, what points up in the trunk's frame: left, up, forward; 0,-1,0 is head down";
 inline constexpr const char* kNotClamped =
     ": the trunk is not clamped in it, and recordings of the runtime on the floor are not simulated; take an "
-    "experiment "
-    "with `trunk = clamped`";
+    "experiment with `trunk = clamped`";
 }  // namespace messages
 
 /// Throws std::runtime_error with the path and the reason.

@@ -11,7 +11,6 @@
 #include "gap/plan/body/motion_ranking.hpp"
 #include "gap/plan/question.hpp"
 #include "gap/plan/write_experiments.hpp"
-#include "gap/report/data_hash.hpp"
 #include "gap_commands.hpp"
 
 namespace darwinop::gap {

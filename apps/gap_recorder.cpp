@@ -60,8 +60,9 @@ int BodyRecorder::run(const PlannedRecording& plan, const std::string& file) con
   else
     unsetenv(kClamp);
   fs::remove(file);  // of a former attempt: the experiment replaces none
-  process::Start start{
-      .command = {process::programBeside("darwinop-experiment"), "run", plan.experiment, "--yes", "--record", file}};
+  process::Start start{.command = {process::programBeside("darwinop-experiment"), "run", plan.experiment, "--yes",
+                                   "--allow-clamped",  // the recording has the goals as sent
+                                   "--record", file}};
   if (!given_.robot.empty()) start.command.insert(start.command.end(), {"--robot", given_.robot});
   start.streams = {process::Stream{}, process::Stream::nothing()};  // the plan; what happens is on stderr
   process::ChildProcess experiment{start};
@@ -107,9 +108,9 @@ std::vector<std::string> BodyRecorder::problems(int status, const PlannedRecordi
     return {why};
   }
   if (status != 0 && !asks() && !isSimulated())  // no person judges whether it may move again
-    throw RecordingFailed("the robot ended the experiment " + plan.experiment + ", see above");
+    throw RecordingFailed(experiment + messages::kNotAsAsked);
   std::vector<std::string> problems = look(plan, file, session_s);
-  if (status != 0) problems.insert(problems.begin(), "the robot ended the experiment, see above");
+  if (status != 0) problems.insert(problems.begin(), experiment + messages::kNotAsAsked);
   return problems;
 }
 
@@ -133,7 +134,7 @@ bool BodyRecorder::isTurnedBetween(const std::vector<PlannedRecording>& plans) c
 }
 
 bool BodyRecorder::record(const std::vector<PlannedRecording>& plans) {
-  if (given_.yes && !isSimulated() && isTurnedBetween(plans)) throw std::runtime_error(messages::kNobodyTurnsIt);
+  if (given_.yes && !isSimulated() && isTurnedBetween(plans)) throw std::runtime_error(messages::kNeedsTurning);
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (find(plans[i]) != nullptr) continue;
     if (isEnded()) return false;  // it came while no experiment ran, which would have received it

@@ -17,9 +17,10 @@ namespace darwinop::gap {
 namespace messages {
 inline constexpr const char* kKept = "kept";  // with --resume
 inline constexpr const char* kIncomplete = ": incomplete, see above";
-inline constexpr const char* kEndedBySignal = " was ended by signal ";  // then its number
-inline constexpr const char* kNobodyTurnsIt =
-    "the robot has to be turned between these recordings, and --yes waits for nobody; leave --yes out";
+inline constexpr const char* kEndedBySignal = " was ended by signal ";          // then its number
+inline constexpr const char* kNotAsAsked = " did not end as asked, see above";  // after the experiment
+inline constexpr const char* kNeedsTurning =
+    "the robot has to be turned between these recordings, for which --yes leaves no time; leave --yes out";
 inline constexpr const char* kUnusable = " cannot be used; find the cause and record it again";
 inline constexpr const char* kTakeItsRobot = "; give that one with --robot";
 }  // namespace messages

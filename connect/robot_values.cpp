@@ -45,7 +45,9 @@ std::string accountName(std::string_view key, std::string_view value, const char
 Nanos periodInMs(std::string_view key, std::string_view value) {
   const auto ms = text::numberFromText(value);
   if (!ms || *ms < kShortestPeriod.count() || *ms > kLongestPeriod.count() || *ms != std::floor(*ms))
-    refuse("Robot", key, value, "give a whole number of ms from 8 to 50 (16, or 8 when only goals are sent)");
+    refuse("Robot", key, value,
+           "give a whole number of ms from " + std::to_string(kShortestPeriod.count()) + " to " +
+               std::to_string(kLongestPeriod.count()) + " (16, or 8 when only goals are sent)");
   return std::chrono::milliseconds{static_cast<int>(*ms)};
 }
 

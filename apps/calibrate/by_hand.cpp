@@ -16,7 +16,7 @@
 namespace darwinop::calibrate {
 namespace {
 
-constexpr Nanos kReadTime = std::chrono::seconds{2};  // every servo's torque is polled each 20 cycles
+constexpr Nanos kReadTime = std::chrono::seconds{2};  // every servo's torque is polled every 20 cycles
 constexpr int kTriesPerJoint = 3;
 constexpr double kStillRad = 3 * kRadPerTick;
 

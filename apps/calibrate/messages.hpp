@@ -24,8 +24,8 @@ inline constexpr const char* kOtherLoop =
     ": the loop of this robot runs elsewhere and reads its own robot.ini; stop the runtime and name the serial port, "
     "on the robot's computer or with the CM-730's USB cable in this one";
 inline constexpr const char* kNothingToCalibrate =
-    "--robot virtual: nobody can turn its joints, so there is nothing to calibrate; try it with --robot twin --file "
-    "FILE";
+    "--robot virtual: its joints cannot be turned by hand, so there is nothing to calibrate; try it with --robot twin "
+    "--file FILE";
 inline constexpr const char* kNoSuchRobotFile =
     " does not exist: limits, absent joints and offsets of the robot would not apply. Copy its file first: ";
 inline constexpr const char* kNeedsHands = "--yes is for twins: a person has to hold this robot in each posture";

@@ -36,23 +36,31 @@ void Shortfalls::update(const Pose& asked, const Sensors& sensors) {
   }
 }
 
+bool Shortfalls::isUnmeasured(std::size_t joint) const {
+  return measured_[joint] && steps_ > 0 && seen_[joint].measured * 2 <= steps_;
+}
+
 /// The counter alone does not name the joint. Ranges alone differ also where a phase ends before a goal is reached.
-bool Shortfalls::isClamped(const Seen& seen) const {
-  return hits_ != first_hits_ && seen.commanded.low <= seen.commanded.high &&
+bool Shortfalls::isClamped(std::size_t joint) const {
+  const Seen& seen = seen_[joint];
+  return moved_[joint] && !isUnmeasured(joint) && hits_ != first_hits_ && seen.commanded.low <= seen.commanded.high &&
          (seen.asked.low < seen.commanded.low - kSame || seen.asked.high > seen.commanded.high + kSame);
 }
 
-std::string Shortfalls::text() const {
+std::string Shortfalls::unmeasuredText() const {
+  std::string lines;
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (isUnmeasured(i)) lines.append(kJointTable[i].name).append(kNotMeasured).append("\n");
+  return lines;
+}
+
+std::string Shortfalls::clampedText() const {
   const auto range = [](const Range& of) { return text::fixedText(of.low, 3) + " to " + text::fixedText(of.high, 3); };
   std::string lines;
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    const std::string name{kJointTable[i].name};
-    if (measured_[i] && seen_[i].measured * 2 <= steps_) {
-      lines += name + kNotMeasured + '\n';
-    } else if (moved_[i] && isClamped(seen_[i])) {
-      lines += name + kGoalsClamped + range(seen_[i].asked) + " rad, sent " + range(seen_[i].commanded) + " rad\n";
-    }
-  }
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (isClamped(i))
+      lines += std::string{kJointTable[i].name} + kGoalsClamped + range(seen_[i].asked) + " rad, sent " +
+               range(seen_[i].commanded) + " rad\n";
   return lines;
 }
 

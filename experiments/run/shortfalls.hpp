@@ -12,7 +12,7 @@
 
 namespace darwinop::experiments {
 
-// Lines of Shortfalls::text(), after the joint's name.
+// After the joint's name.
 inline constexpr const char* kNotMeasured =
     ": no readings in half of the steps or more; examine it with darwinop doctor";
 inline constexpr const char* kGoalsClamped = ": goals were clamped to its limits, which darwinop doctor prints; asked ";
@@ -25,8 +25,10 @@ class Shortfalls {
   /// Once per step of the experiment's phases. `asked`: goals of the step, rad.
   void update(const Pose& asked, const Sensors& sensors);
 
-  /// One line per joint; empty: everything as asked.
-  [[nodiscard]] std::string text() const;
+  /// One line per joint without readings in half of the steps or more; empty: none.
+  [[nodiscard]] std::string unmeasuredText() const;
+  /// One line per measured joint whose goals were clamped; empty: none.
+  [[nodiscard]] std::string clampedText() const;
 
  private:
   struct Range {
@@ -37,7 +39,8 @@ class Shortfalls {
     std::uint32_t measured = 0;  // steps with a reading
     Range asked, commanded;      // rad; commanded: by the safety layer
   };
-  [[nodiscard]] bool isClamped(const Seen& seen) const;
+  [[nodiscard]] bool isUnmeasured(std::size_t joint) const;
+  [[nodiscard]] bool isClamped(std::size_t joint) const;
 
   std::bitset<kJoints> moved_, measured_;
   std::array<Seen, kJoints> seen_{};

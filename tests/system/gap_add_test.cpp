@@ -59,7 +59,7 @@ TEST_F(GapAdd, ARecordingOfAnotherRobotIsNotAdded) {
   EXPECT_THAT(said_, testing::HasSubstr(gap::messages::kNotADirection));
 }
 
-// A robot that nobody has turned: the experiment always delivers the same recording.
+// A robot that was not turned: the experiment always delivers the same recording.
 TEST_F(GapAdd, WithoutQuestionsABadRecordingOfAPhysicalRobotIsNotAdded) {
   recordUpright("/dev/ttyUSB0");
   const std::string before = textOf(file("case/case.json"));

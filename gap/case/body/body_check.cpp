@@ -4,16 +4,16 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/servo_limits.hpp"
 #include "core/text/nearest.hpp"
-#include "core/units.hpp"
 #include "gap/case/body/clamped_trunk.hpp"
 #include "gap/case/median.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kUnmoved = 4 * 2 * kPi / 4096;  // rad: noise of an encoder is a tick
-constexpr double kIndependent = 0.3;             // sine of the least angle between directions of gravity
+constexpr double kUnmoved = 4 * kRadPerTick;  // rad: noise of an encoder is a tick
+constexpr double kIndependent = 0.3;          // sine of the least angle between directions of gravity
 
 double dot(const Axes& a, const Axes& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);

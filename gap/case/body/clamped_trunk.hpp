@@ -7,7 +7,9 @@
 namespace darwinop::gap {
 namespace messages {
 inline constexpr const char* kTrunkShakes = " rad/s although it is clamped; tighten the stand and record again";
-inline constexpr const char* kTrunkTurns = " rad although it is clamped, and `up` is wrong for a part of the recording";
+inline constexpr const char* kTrunkTurns =
+    " rad although it is clamped, so that `up` is wrong for a part of the recording; tighten the stand and record "
+    "again";
 }  // namespace messages
 
 /// rad/s about the median, five steps of the register: a clamped trunk does not turn as fast.

@@ -12,7 +12,8 @@
 namespace darwinop::gap {
 namespace messages {
 inline constexpr const char* kGoalBeyondRange =
-    " rad, beyond what the safety layer lets pass; has the joint the other sign, or another joint's columns?";
+    " rad, beyond what the safety layer lets pass; correct the sign or the joint of the column where the recording is "
+    "written";
 inline constexpr const char* kOtherBattery = " V, and the board reads ";
 inline constexpr const char* kLimpAtStart =
     " is limp in the first row and driven later; set `from_s` to a row in which all joints have held their goals for a "

@@ -183,7 +183,7 @@ BodyCase parseBodyCase(std::string_view json, const std::string& file, const Cas
     if (log.lost_rows > 0)
       out.warnings.push_back(log.file + ": " + std::to_string(log.lost_rows) + messages::kRowsLost);
     if (first) refuseOtherRobot(*first, recording, out.warnings);
-    recording.columns.clear();  // of its head alone
+    recording.columns.clear();  // only the head of the first is needed again
     if (!first) first = std::move(recording);
   }
   for (std::size_t i = 0; i < out.logs.size(); ++i) {

@@ -122,7 +122,7 @@ TEST_F(Command, GoalBeyondALimitMovesNothing) {
 class OnServosOfAPty : public Command {
  protected:
   /// Nods the neck to 0.3 rad on a virtual robot with these servo settings, in real time.
-  int nod(const std::string& settings, const std::string& robot_ini = "") {
+  int nod(const std::string& settings, const std::string& robot_ini = "", const std::vector<std::string>& more = {}) {
     std::ofstream{file("nod.ini")} << "[experiment]\nname = nod\ntitle = a nod\n[setup]\npose = start\nduration = 1 s\n"
                                       "[phase nod]\njoints = Neck\ngoal = step\nto = 0.3 rad\nvelocity = 1 rad/s\n"
                                       "duration = 1 s\n[record]\njoints = Neck\n";
@@ -133,7 +133,9 @@ class OnServosOfAPty : public Command {
     if (!settings.empty()) virtual_robot.insert(virtual_robot.end(), {"--servo", settings});
     Program robot{virtual_robot, file("robot.txt")};
     EXPECT_TRUE(robot.says("link:", std::chrono::seconds{10})) << robot.output();
-    const int status = experiment({"run", file("nod.ini"), "--robot", file("port"), "--record", file("log.csv")});
+    std::vector<std::string> words{"run", file("nod.ini"), "--robot", file("port"), "--record", file("log.csv")};
+    words.insert(words.end(), more.begin(), more.end());
+    const int status = experiment(words);
     unsetenv("DARWINOP_ROBOT_FILE");
     return status;
   }
@@ -144,6 +146,11 @@ TEST_F(OnServosOfAPty, GoalsThatTheServosLimitsClampAreNotDone) {
   EXPECT_THAT(output, HasSubstr(std::string{"Neck"} + experiments::kGoalsClamped));
   EXPECT_THAT(output, HasSubstr("to 0.153 rad\n")) << "the limit";
   EXPECT_THAT(output, HasSubstr(experiments::kRecorded)) << "the recording is kept";
+}
+
+TEST_F(OnServosOfAPty, ClampedGoalsMayBeAllowed) {
+  EXPECT_EQ(nod("Neck=ccw-limit:2148", "", {"--allow-clamped"}), 0);
+  EXPECT_THAT(output, HasSubstr(experiments::kGoalsClamped)) << "they are reported";
 }
 
 TEST_F(OnServosOfAPty, ASilentJointIsNotDone) {
