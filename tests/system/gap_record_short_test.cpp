@@ -133,7 +133,7 @@ TEST_F(GapRecordShort, AnExperimentThatIsKilledIsReportedWithTheSignal) {
   Program running{{program("darwinop-gap"), "record", "--robot", "twin", "--out", file("case")}, file("command.txt")};
   const std::string pid = std::to_string(running.pid());
   pid_t experiment = 0;
-  const auto end = std::chrono::steady_clock::now() + seconds{60};
+  const auto end = std::chrono::steady_clock::now() + patiently(seconds{60});
   while (!(std::ifstream{"/proc/" + pid + "/task/" + pid + "/children"} >> experiment))
     ASSERT_LT(std::chrono::steady_clock::now(), end) << running.output();
   ::kill(experiment, SIGKILL);

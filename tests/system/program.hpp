@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -15,6 +16,14 @@
 
 namespace darwinop {
 
+/// A limit of time, for tests that may run at idle priority, where a processor comes seldom: the preset `simulated` sets
+/// the factor.
+inline std::chrono::seconds patiently(std::chrono::seconds at_most) {
+  const char* const factor = std::getenv("DARWINOP_TEST_PATIENCE");
+  return at_most * (factor != nullptr ? std::atoi(factor) : 1);
+}
+
+/// Its limits of time are multiplied as by patiently().
 class Program {
  public:
   /// `command[0]` is a path. Both outputs go to the file `output`.
@@ -32,7 +41,7 @@ class Program {
 
   /// Exit status, 128 + signal, or nothing when it still runs after that time.
   std::optional<int> wait(std::chrono::seconds at_most) {
-    const auto ending = process_.waitFor(at_most);
+    const auto ending = process_.waitFor(patiently(at_most));
     return ending ? std::optional{ending->shellStatus()} : std::nullopt;
   }
 
@@ -43,7 +52,7 @@ class Program {
   }
   /// True when the output contains `text` within that time.
   [[nodiscard]] bool says(const std::string& text, std::chrono::seconds at_most) const {
-    const auto end = std::chrono::steady_clock::now() + at_most;
+    const auto end = std::chrono::steady_clock::now() + patiently(at_most);
     while (output().find(text) == std::string::npos) {
       if (std::chrono::steady_clock::now() > end) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds{10});
@@ -52,7 +61,7 @@ class Program {
   }
   /// What follows `text` on its line, once the line is complete; empty when it is not within that time.
   [[nodiscard]] std::string restOfLine(const std::string& text, std::chrono::seconds at_most) const {
-    const auto end = std::chrono::steady_clock::now() + at_most;
+    const auto end = std::chrono::steady_clock::now() + patiently(at_most);
     for (;;) {
       const std::string said = output();
       const std::size_t at = said.find(text), line_end = at == said.npos ? at : said.find('\n', at);

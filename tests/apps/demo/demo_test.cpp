@@ -71,7 +71,7 @@ TEST(WalkDemo, CtrlCEndsItAsStopped) {
 TEST(WalkDemo, CtrlCBeforeTheRobotIsReadyEndsItAsStopped) {
   const TemporaryFolder folder;
   Program walk{longFilm(folder), folder / "walk.txt"};
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{60};
+  const auto end = std::chrono::steady_clock::now() + patiently(std::chrono::seconds{60});
   while (!receivesCtrlC(walk)) ASSERT_LT(std::chrono::steady_clock::now(), end) << walk.output();
   walk.kill(SIGINT);
   EXPECT_EQ(walk.wait(std::chrono::seconds{60}), 130) << walk.output();
