@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/conversions.hpp"
 #include "core/text/formatted.hpp"
@@ -21,11 +24,32 @@ bool isEmpty(const logs::Column& column) {
   return std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
 }
 
-/// `goals`: null: of a joint that is never commanded, as it has no servo.
-bool isHeld(std::size_t row, const experiments::Pose& pose, const std::vector<const logs::Column*>& goals) {
-  for (std::size_t joint = 0; joint < kJoints; ++joint)
-    if (goals[joint] != nullptr && !(std::abs(goals[joint]->values[row] - pose[joint]) < kSame))
+struct GoalColumns {
+  const std::vector<double>*asked, *sent;  // rad; sent: by the safety layer
+};
+
+/// Those of the joints that have a servo: the others are never commanded.
+std::vector<std::optional<GoalColumns>> goalColumns(const logs::Log& recording) {
+  std::vector<std::optional<GoalColumns>> out;
+  for (const JointRow& joint : kJointTable) {
+    const std::string name{joint.name};
+    const logs::Column& sent = recording.column(name + ".commanded");
+    out.push_back(isEmpty(sent) ? std::nullopt
+                                : std::optional{GoalColumns{&recording.column(name + ".asked").values, &sent.values}});
+  }
+  return out;
+}
+
+/// The pose is asked for, and what is sent rests: limits of a robot's servos may keep it away from the pose.
+/// `from`: first row of the rest.
+bool isHeld(std::size_t row, std::size_t from, const experiments::Pose& pose,
+            const std::vector<std::optional<GoalColumns>>& goals) {
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    if (!goals[joint]) continue;
+    const auto& [asked, sent] = *goals[joint];
+    if (!(std::abs((*asked)[row] - pose[joint]) < kSame) || !(std::abs((*sent)[row] - (*sent)[from]) < kSame))
       return false;  // NaN: not driven
+  }
   return true;
 }
 
@@ -57,15 +81,11 @@ double misplacedBy(const BodyCase& given, const RestingImu& imu) {
 }  // namespace
 
 void findUsedRows(const logs::Log& recording, const experiments::Pose& pose, double phases_s, MadeRecording& made) {
-  std::vector<const logs::Column*> goals;
-  for (const JointRow& joint : kJointTable) {
-    const logs::Column& goal = recording.column(std::string{joint.name} + ".commanded");
-    goals.push_back(isEmpty(goal) ? nullptr : &goal);
-  }
+  const auto goals = goalColumns(recording);
   std::size_t from = 0, to = 0;
-  const bool is_driven = std::ranges::any_of(goals, [](const logs::Column* goal) { return goal != nullptr; });
-  for (; is_driven && from < recording.rows(); from = to + 1) {
-    for (to = from; to < recording.rows() && isHeld(to, pose, goals);) ++to;
+  const bool is_driven = std::ranges::any_of(goals, [](const auto& joint) { return joint.has_value(); });
+  for (; is_driven && from < recording.rows(); from = std::max(to, from + 1)) {
+    for (to = from; to < recording.rows() && isHeld(to, from, pose, goals);) ++to;
     if (to > from && recording.seconds(to - 1) - recording.seconds(from) >= kHeld) break;
   }
   if (!is_driven || from >= recording.rows())

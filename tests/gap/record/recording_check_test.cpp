@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <span>
+#include <sstream>
 
 #include "gap/body/synthetic_robot.hpp"
 
@@ -77,18 +79,21 @@ TEST(RecordingCheck, AJointWithoutAServoIsReportedOnlyIfItIsCommanded) {
               ElementsAre(std::string{"Neck"} + messages::kDrivenNeverAnswers));
 }
 
-/// Goals of all joints over `rows` rows: first elsewhere, then held, then in motion.
-std::string goalsText(int away, int held, int moving, const experiments::Pose& pose, bool has_head = true) {
+/// Goals of all joints over `rows` rows: first elsewhere, then held, then in motion. `lowest`: what a robot's limits
+/// let through, rad.
+std::string goalsText(int away, int held, int moving, const experiments::Pose& pose, bool has_head = true,
+                      double lowest = -10) {
   std::string text = "time_s,board.voltage [V]";
-  for (const JointRow& joint : kJointTable) text += "," + std::string{joint.name} + ".commanded [rad]";
+  for (const JointRow& joint : kJointTable)
+    text += "," + std::string{joint.name} + ".asked [rad]," + std::string{joint.name} + ".commanded [rad]";
   text += "\n";
   for (int row = 0; row < away + held + moving; ++row) {
     text += std::to_string(100 + 0.016 * row) + ",11.9";
     for (const double goal : std::span{pose}.first(has_head ? kJoints : kJoints - 2)) {
       const double off = row < away ? 0.2 : row < away + held ? 0 : 0.01 * (row - away - held + 1);
-      text += "," + std::to_string(goal + off);
+      text += "," + std::to_string(goal + off) + "," + std::to_string(std::max(goal + off, lowest));
     }
-    text += has_head ? "\n" : ",,\n";
+    text += has_head ? "\n" : ",,,,\n";
   }
   return text;
 }
@@ -107,6 +112,28 @@ TEST(UsedRows, DoNotWaitForJointsWithoutAServo) {
   MadeRecording made = madeOf({0, 1, 0});
   findUsedRows(logs::parseLog(goalsText(50, 100, 200, pose, false), "up.csv"), pose, 2.0, made);
   EXPECT_NEAR(made.from_s, 100 + 0.016 * 50 + 1, 0.02);
+}
+
+TEST(UsedRows, AreFoundOnARobotWhoseLimitsShiftThePose) {
+  const experiments::Pose& pose = experiments::startPose();
+  MadeRecording made = madeOf({0, 1, 0});
+  const double lowest = *std::ranges::min_element(pose) + 0.1;
+  findUsedRows(logs::parseLog(goalsText(50, 100, 200, pose, true, lowest), "up.csv"), pose, 2.0, made);
+  EXPECT_NEAR(made.from_s, 100 + 0.016 * 50 + 1, 0.02);
+}
+
+// The safety layer may follow a jump of the goal slowly.
+TEST(UsedRows, BeginWhenWhatIsSentRests) {
+  const experiments::Pose& pose = experiments::startPose();
+  std::string text = goalsText(0, 200, 100, pose);
+  std::istringstream lines{text};
+  std::string line, changed;
+  for (int row = -1; std::getline(lines, line); ++row, changed += line + "\n")
+    if (row >= 0 && row < 40)
+      line.replace(line.rfind(',') + 1, line.npos, std::to_string(pose.back() + 0.2 - row * 0.005));
+  MadeRecording made = madeOf({0, 1, 0});
+  findUsedRows(logs::parseLog(changed, "up.csv"), pose, 2.0, made);
+  EXPECT_NEAR(made.from_s, 100 + 0.016 * 40 + 1, 0.02);
 }
 
 // The recording's clock is that of the computer: it was not started with the first recording.
