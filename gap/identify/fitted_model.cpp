@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gap/fit/jacobian.hpp"
+#include "gap/identify/stuck_log.hpp"
 #include "gap/plant/baseline_alias.hpp"
 #include "gap/thresholds.hpp"
 
@@ -94,7 +95,9 @@ FittedModel baselineAlone(const Study& study, Nuisance nuisance) {
   const Problem problem = problemWith(study, study.evidence, {}, nuisance);
   Fit start;
   start.x = problem.expected();
-  return refit(study, {}, nuisance, problem, start, 4);
+  FittedModel alone = refit(study, {}, nuisance, problem, start, 4);
+  std::optional<FittedModel> past = fittedPastAStuckLog(alone);
+  return past ? std::move(*past) : std::move(alone);
 }
 
 FittedModel withFreeNuisance(const FittedModel& fitted) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gap/identify/shortlist.hpp"
+#include "gap/identify/stuck_log.hpp"
 #include "gap/plant/baseline_alias.hpp"
 
 namespace darwinop::gap {
@@ -28,6 +29,7 @@ void Selection::search() {
     if (isExplained(screen)) return;
 
     if (mayAdd() && addOne(screen)) continue;  // refine, select, cross-validate, prune
+    if (improvePastAStuckLog()) continue;
 
     // The first effects were chosen while others were missing: replace one of them, once.
     if (swapped || !maySwap() || !swapOne()) return;
@@ -53,6 +55,12 @@ bool Selection::addFrom(const std::vector<FittedModel>& candidates) {
     return true;
   }
   return std::ranges::any_of(choice.present, [&](const FittedModel& same) { return improveFrom(same); });
+}
+
+bool Selection::improvePastAStuckLog() {
+  if (model_.effects.empty()) return false;  // baselineAlone() has done it
+  const std::optional<FittedModel> past = fittedPastAStuckLog(model_);
+  return past && improveFrom(*past);
 }
 
 void Selection::prune() {

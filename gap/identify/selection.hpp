@@ -63,6 +63,7 @@ class Selection {
   [[nodiscard]] double neededFor(const twin::EffectInfo& effect) const;
   void add(const FittedModel& best, double gain, double needed, const std::vector<FittedModel>& candidates);
   bool improveFrom(const FittedModel& same);
+  bool improvePastAStuckLog();
   // prune
   void prune();
   void freeSecondaryParameters();
