@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/units.hpp"
 #include "experiments/logs/read_log.hpp"
+#include "gap/case/median.hpp"
 #include "gap/case/messages.hpp"
 
 namespace darwinop::gap {
@@ -73,10 +75,7 @@ void checkRows(const Trajectory& log, const std::string& file) {
 double periodOf(const Trajectory& log) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < log.rows(); ++i) steps.push_back(log.time_s[i] - log.time_s[i - 1]);
-  if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return steps.empty() ? 0 : medianOf(std::move(steps));
 }
 
 double noLoadSpeed(const Case& c) {

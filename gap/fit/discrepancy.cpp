@@ -1,8 +1,8 @@
 #include "gap/fit/discrepancy.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "gap/case/median.hpp"
 #include "gap/fit/load_residual.hpp"
 #include "gap/thresholds.hpp"
 
@@ -11,11 +11,8 @@ namespace {
 
 constexpr double kOfMedian = 1.4826;  // standard deviation of a normal distribution over its median |deviation|
 
-double spreadOf(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return kOfMedian * *middle;
+double spreadOf(const std::vector<double>& sizes) {
+  return sizes.empty() ? 0 : kOfMedian * medianOf(sizes);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gap/case/median.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -73,12 +74,8 @@ std::vector<Candidate> ripplesOf(const FittedModel& present) {
   if (ripple == nullptr || hypothesis.find(ripple->id) != nullptr) return {};
   hypothesis.servo.firmware_period_s = std::max(hypothesis.servo.firmware_period_s, thresholds::kRipplePeriod);
   const Eigen::VectorXd ends = endsOf(present, hypothesis);
-  std::vector<double> sizes;
-  for (const double end : ends)
-    if (!std::isnan(end)) sizes.push_back(std::abs(end));
-  if (sizes.empty()) return {};
-  std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
-  const double usual = 2 * sizes[sizes.size() / 2];
+  const Eigen::VectorXd sizes = ends.cwiseAbs();
+  const double usual = 2 * medianOf({sizes.begin(), sizes.end()});
   if (!(usual > 0)) return {};
 
   std::array<Ripple, thresholds::kMaxRipplesPerTurn + 1> ripples;

@@ -12,6 +12,7 @@
 #include "core/units.hpp"
 #include "gap/case/body/body_check.hpp"
 #include "gap/case/body/parse_body_case.hpp"
+#include "gap/case/median.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -51,14 +52,6 @@ bool isHeld(std::size_t row, std::size_t from, const experiments::Pose& pose,
       return false;  // NaN: not driven
   }
   return true;
-}
-
-double medianOf(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return std::nan("");
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 /// Its goals differ by more than a position that counts as motion.
