@@ -6,12 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/servo_limits.hpp"
 #include "core/units.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kTick = 2 * kPi / 4096, kRpm = 2 * kPi / 60;
+constexpr double kTick = kRadPerTick, kRpm = 2 * kPi / 60;
 constexpr std::string_view kMx = "e-manual MX-28, protocol 1", kX = "e-manual X series, protocol 2",
                            kAx = "e-manual AX-12A and RX-28", kSts = "Feetech memory table STS3215";
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/plant/registers.hpp"
+
 namespace darwinop::gap {
 
 WebotsFields webotsFields(const ServoNumbers& servo) {
@@ -46,7 +48,7 @@ MujocoFields mujocoFields(const ServoNumbers& servo, double load_kgm2, double ti
   }
   constexpr double kLeast = 1e-5;  // kg m2: a gear side that moves by itself has to have some inertia
   if (out.twoHinges()) out.armature = std::max(out.armature, kLeast);
-  out.sensor_noise = servo.encoder_step_rad / std::sqrt(12.0);  // standard deviation of rounding
+  out.sensor_noise = servo.encoder_step_rad * kRoundingSigma;
   return out;
 }
 

@@ -15,6 +15,9 @@ inline constexpr double kSpeedSpan = 0.024;
 /// Step of the loads of a log: that of the register, or a coarser one in which they were written.
 double loadStepOf(const Trajectory& log);
 
+/// Standard deviation of rounding to steps of 1: 1 / sqrt(12).
+inline constexpr double kRoundingSigma = 0.28867513459481288;
+
 /// Standard deviation of one reported position, rad: rounding and noise of the encoder.
 double readingSigma(const twin::ServoParameters& servo);
 

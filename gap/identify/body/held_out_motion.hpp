@@ -1,13 +1,9 @@
 // How well a model predicts the joints in recordings that no fit has used.
 #pragma once
 
-#include "core/units.hpp"
 #include "gap/localize/body/clamped_robot.hpp"
 
 namespace darwinop::gap {
-
-/// rad. Of an encoder with 0.3 ticks of noise before it rounds: hypot(0.3, 1 / sqrt(12)) ticks.
-inline constexpr double kEncoderNoise = 0.4164 * 2 * kPi / 4096;
 
 /// Rms of measured minus simulated positions of all joints in the held-out logs with a clamped trunk, rad; NaN: there
 /// are none. Numbers of the model that were fitted within their priors are the fitted ones.

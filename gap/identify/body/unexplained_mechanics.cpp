@@ -7,6 +7,7 @@
 #include "gap/identify/body/mechanics_entry.hpp"
 #include "gap/localize/body/close_by_numbers.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -36,7 +37,8 @@ bool holdsUnseen(const ClampedRobot& robot, const std::vector<FoundMechanics>& f
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(one));
   const BodyHypothesis without = with(robot, others), with_it = with(robot, all);
   const std::vector<std::size_t> limbs = limbsOf(robot, {all[one]});
-  if (!(heldOutErrorIn(robot, limbs, with_it) <= thresholds::kSmallRemainder * kEncoderNoise)) return false;
+  if (!(heldOutErrorIn(robot, limbs, with_it) <= thresholds::kSmallRemainder * readingSigma(with_it.servos.servo)))
+    return false;
   std::vector<LogGain> gains(limbs.size());
   forEach(limbs.size(), [&](std::size_t i) { gains[i] = heldOutGain(robot, limbs[i], without, with_it); });
   return std::ranges::all_of(gains, supports);

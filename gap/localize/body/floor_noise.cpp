@@ -8,6 +8,7 @@
 #include "gap/localize/body/drawn_robot.hpp"
 #include "gap/localize/body/floor_residuals.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -129,12 +130,12 @@ Eigen::VectorXd FloorResiduals::sigmaOf(Eigen::MatrixXd& repeats) const {
       smoothedBlocks(variance, blocks_, thresholds::kNoiseVarianceHalfWindow) * ((2 * kHalf + 1.0) / (2 * kHalf));
   const Eigen::Vector3d gyro = readingNoise(given_, ImuSensor::kGyro),
                         accel = readingNoise(given_, ImuSensor::kAccelerometer);
-  const double tick = 2 * kPi / 4096 / std::sqrt(12.0);
+  constexpr double kRounding = kRoundingSigma * kRadPerTick;
   for (const FloorSamples& block : blocks_) {
     auto own = variance.segment(block.begin, block.rows).array();
     const auto axis = static_cast<Eigen::Index>(block.signal - kJoints);
     if (block.signal < kJoints)
-      own = own.max(tick * tick);
+      own = own.max(kRounding * kRounding);
     else
       own += axis < 3 ? gyro[axis] * gyro[axis] : accel[axis - 3] * accel[axis - 3];
   }

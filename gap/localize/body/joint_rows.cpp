@@ -9,6 +9,7 @@
 #include "gap/localize/fit_nuisances.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "gap/plant/body/joint_alone.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -31,7 +32,7 @@ void useBoardSupply(const BodyLog& log, BlockResiduals& samples) {
     if (row >= log.board_v.size() || std::isnan(log.board_v[row])) continue;
     const auto at = static_cast<Eigen::Index>(k);
     samples.residual[at] += log.battery_v - log.board_v[row];
-    samples.sigma[at] = std::hypot(samples.sigma[at], kBoardStep / std::sqrt(12.0));
+    samples.sigma[at] = std::hypot(samples.sigma[at], kBoardStep * kRoundingSigma);
   }
 }
 

@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "core/registers.hpp"
-#include "core/units.hpp"
+#include "core/servo_limits.hpp"
 #include "gap/localize/body/limb_residuals.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -32,14 +33,14 @@ void LimbResiduals::estimateNoise(const BodyHypothesis& about) {
     spread.col(run) = simulated(about, &noise) - exact;
   }
   spread = spread.unaryExpr([](double value) { return std::isfinite(value) ? value : 0.0; });
-  const double tick = 2 * kPi / 4096 / std::sqrt(12.0);
-  constexpr double kLoadStep = find(kMx28, "present_load").scale;
+  constexpr double kRounding = kRoundingSigma * kRadPerTick;
+  constexpr double kLoadCount = find(kMx28, "present_load").scale;
   sigma_ = Eigen::VectorXd::Ones(exact.size());
   directions_ = Eigen::MatrixXd::Zero(exact.size(), kRuns);
   for (const LimbSamples& block : blocks_) {
     if (block.is_load) {
       auto sigma = sigma_.segment(block.begin, block.rows);
-      sigma.setConstant(std::max(kLoadStep, thresholds::kLawResidual));
+      sigma.setConstant(std::max(kLoadCount, thresholds::kLawResidual));
       // Firmware that does not run in step with the rows is read a period earlier or later.
       if (!given_.logs[block.log].is_phase_known)
         sigma =
@@ -53,7 +54,7 @@ void LimbResiduals::estimateNoise(const BodyHypothesis& about) {
       fast += (spread.col(run).segment(block.begin, block.rows) - slow.col(run)).cwiseAbs2() / kRuns;
     }
     fast = smoothed(fast, thresholds::kNoiseVarianceHalfWindow) * ((2 * kHalf + 1.0) / (2 * kHalf));
-    fast = fast.cwiseMax(tick * tick);
+    fast = fast.cwiseMax(kRounding * kRounding);
     drift = smoothed(slow.cwiseAbs2().rowwise().mean(), thresholds::kNoiseVarianceHalfWindow);
     for (Eigen::Index row = 0; row < block.rows; ++row) {
       sigma_[block.begin + row] = std::sqrt(fast[row]);

@@ -18,8 +18,7 @@ using experiments::Experiment;
 using experiments::Phase;
 using experiments::TorqueMode;
 
-constexpr double kRowOfPlan = 0.016;  // s
-constexpr double kTickOfPlan = 2 * kPi / 4096;
+constexpr double kRowOfPlan = 0.016;             // s
 constexpr double kBattery = 11.8;                // V, where a case has none
 constexpr double kTurning = 60, kLeaving = 120;  // s of a person, with the stand. Estimated
 constexpr double kWayBack = 5;                   // s
@@ -76,7 +75,7 @@ class Rows {
         Trajectory& of = into_.joints.logs[first + j];
         const auto moved = std::ranges::find(phase.joints, static_cast<Joint>(j), &experiments::Moved::joint);
         const bool is_limp = moved != phase.joints.end() && !is_driven;
-        of.goal_rad.push_back(std::round(goals_[j] / kTickOfPlan) * kTickOfPlan);
+        of.goal_rad.push_back(std::round(goals_[j] / kRadPerTick) * kRadPerTick);
         of.torque_on.push_back(is_limp ? 0 : 1);
         of.p_register_of_row.push_back((moved != phase.joints.end() ? phase.p_gain : kDefaultPGain) * kRegisterPerKp);
         of.time_s.push_back(time_s_);

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "core/registers.hpp"
-#include "core/units.hpp"
+#include "core/servo_limits.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr int kNoiseRepeats = 4;
 constexpr Eigen::Index kHalfSecond = 15;  // rows on either side over which the variance of repeats is averaged
-constexpr double kEncoderNoise = 2 * kPi / 4096 / 3.4641016151377544;  // rad: of rounding to a tick
 
 std::vector<PredictedSignal> clampedSignals(const BodyCase& coming, std::size_t log, const FloorModel& model,
                                             const Disturbance* noise) {
@@ -43,7 +43,7 @@ std::vector<PredictedSignal> freeSignals(const BodyCase& coming, std::size_t log
 
 /// Of one reading, without what differs between repeats.
 double readingSigma(const BodyCase& coming, const std::string& signal) {
-  if (signal.ends_with(".position")) return kEncoderNoise;
+  if (signal.ends_with(".position")) return kRoundingSigma * kRadPerTick;
   if (signal.ends_with(".load")) return std::max(find(kMx28, "present_load").scale, thresholds::kLawResidual);
   const ImuSensor sensor = signal.starts_with("gyro") ? ImuSensor::kGyro : ImuSensor::kAccelerometer;
   return readingNoise(coming, sensor)[signal.back() - 'x'];

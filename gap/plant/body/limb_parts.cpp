@@ -6,17 +6,11 @@
 #include "gap/plant/body/joint_alone.hpp"
 
 namespace darwinop::gap {
-namespace {
-
-constexpr double kFinestTicks = 4096 * 1024;
-
-}  // namespace
-
 twin::Servo servoOf(const BodyHypothesis& hypothesis, Joint joint, bool is_exact,
                     std::unique_ptr<twin::Effect> surroundings) {
   const Hypothesis alone = atJoint(hypothesis.servos, joint);
   twin::ServoParameters parameters = alone.servo;
-  if (is_exact) parameters.ticks_per_rev = kFinestTicks;
+  if (is_exact) parameters.ticks_per_rev *= 1024;  // as good as not rounded
   std::vector<std::unique_ptr<twin::Effect>> effects;
   if (surroundings != nullptr) effects.push_back(std::move(surroundings));
   for (const twin::EffectSetting& effect : alone.effects) effects.push_back(effect.info->make(effect.values));

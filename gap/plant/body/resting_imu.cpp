@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/registers.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/body/imu_axes.hpp"
 
@@ -40,7 +41,7 @@ ColumnMean meanOf(const std::vector<double>& column, double step) {
   double mean = 0, variance = 0;
   for (const double value : known) mean += value / count;
   for (const double value : known) variance += (value - mean) * (value - mean) / (count - 1);
-  const double rounding = step / std::sqrt(12.0), scatter = std::max(std::sqrt(variance), rounding);
+  const double rounding = step * kRoundingSigma, scatter = std::max(std::sqrt(variance), rounding);
   double sigma = scatter * std::sqrt(correlatedSamples(known, mean, variance) / count);
   // With noise far below a step every reading is rounded alike, and the mean is no finer than a reading.
   if (std::sqrt(variance) < step / 4) sigma = std::hypot(sigma, rounding);
@@ -86,7 +87,7 @@ std::vector<RestingReading> restingReadings(const BodyCase& given, ImuSensor sen
 }
 
 Eigen::Vector3d readingNoise(const BodyCase& given, ImuSensor sensor) {
-  Eigen::Vector3d out = Eigen::Vector3d::Constant(stepOf(sensor) * std::hypot(0.5, 1 / std::sqrt(12.0)));
+  Eigen::Vector3d out = Eigen::Vector3d::Constant(stepOf(sensor) * std::hypot(0.5, kRoundingSigma));
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     std::vector<RestingReading> readings = restingReadings(given, sensor);
     std::erase_if(readings, [&](const RestingReading& one) { return !one.isKnown(axis); });
