@@ -29,6 +29,7 @@ using MeterPerSec2 = Unit<struct MeterPerSec2Tag>;  // m/s2
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kRadPerDegree = kPi / 180.0;
+inline constexpr double kRadPerSecPerRpm = 2 * kPi / 60;
 /// m/s2, standard gravity. The twin's body file keeps MuJoCo's 9.81.
 inline constexpr double kGravity = 9.80665;
 

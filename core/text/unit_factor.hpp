@@ -22,7 +22,7 @@ inline constexpr UnitRow kUnitTable[] = {
     {"dps", "rad/s", kRadPerDegree},
     {"deg/s2", "rad/s2", kRadPerDegree},
     {"°/s2", "rad/s2", kRadPerDegree},
-    {"rpm", "rad/s", 2 * kPi / 60},
+    {"rpm", "rad/s", kRadPerSecPerRpm},
     {"arcmin", "rad", kRadPerDegree / 60},
     {"mrad", "rad", 1e-3},
     {"mrad/s", "rad/s", 1e-3},

@@ -29,7 +29,7 @@ const std::array kColumnBounds{
                  -100,
                  100,
                  1,
-                 {{{2 * kPi / 60, "are these rpm? name the column speed_rpm then"},
+                 {{{kRadPerSecPerRpm, "are these rpm? name the column speed_rpm then"},
                    {kPi / 180, "are these degrees? name the column speed_deg_s then"}}}},
     ColumnBounds{&Trajectory::load, "load", "%", -1.03, 1.03, 100, {{{100.0 / 2047, messages::kRawCounts}, {0, ""}}}},
     ColumnBounds{&Trajectory::volt_v, "volt", "V", 3, 30, 1, {{{0.1, messages::kRawCounts}, {0, ""}}}},

@@ -56,7 +56,8 @@ Datasheet readDatasheet(Fields sheet, const twin::ServoParameters& baseline, std
   servo.supply_v = sheet.number("supply_V", {"V", 3, 30}, servo.supply_v);
   takeStall(sheet, servo);
   if (const auto speed = findFigure(sheet, "no_load_rpm", servo.supply_v))
-    servo.speed_max_rad_s = sheet.number(speed->key, {"rpm", 1, 1000}) * (2 * kPi / 60) * servo.supply_v / speed->volt;
+    servo.speed_max_rad_s =
+        sheet.number(speed->key, {"rpm", 1, 1000}) * kRadPerSecPerRpm * servo.supply_v / speed->volt;
   // P register over the divisor is PWM per step of the encoder.
   if (sheet.has("position_p_divisor") && sheet.has("pwm_limit"))
     servo.duty_per_kp_per_rad = servo.ticks_per_rev / (2 * kPi) / sheet.number("position_p_divisor", {"", 1, 65536}) /

@@ -12,7 +12,7 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kTick = kRadPerTick, kRpm = 2 * kPi / 60;
+constexpr double kTick = kRadPerTick, kRpm = kRadPerSecPerRpm;
 constexpr std::string_view kMx = "e-manual MX-28, protocol 1", kX = "e-manual X series, protocol 2",
                            kAx = "e-manual AX-12A and RX-28", kSts = "Feetech memory table STS3215";
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/servo_limits.hpp"
 #include "core/servo_models.hpp"
 #include "core/units.hpp"
 #include "gap/case/messages.hpp"
@@ -14,7 +15,6 @@ namespace darwinop::gap {
 namespace {
 
 constexpr const char* kSheetSource = "ROBOTIS' e-manual";
-constexpr double kSheetVolt = 12;
 constexpr std::uint16_t kMx28Number = 29;
 constexpr std::string_view kSecondFirmware = "2.0";
 
@@ -24,11 +24,11 @@ struct SheetRow {
   std::uint16_t number;  // of kServoModels
   double stall_a;        // at 12 V; source: the table "Specifications" of ROBOTIS' e-manual of this model
 };
-constexpr SheetRow kSheets[] = {{"mx28", kMx28Number, 1.4}, {"mx64", 310, 4.1}, {"mx106", 320, 5.2}};
+constexpr SheetRow kSheets[] = {{"mx28", kMx28Number, kStallCurrent}, {"mx64", 310, 4.1}, {"mx106", 320, 5.2}};
 
-// Position loop of firmware of protocol 1: kp of up to 254; full duty at 0.2 rad with P 32, measured
-// (twin/models/darwin-op.ini). Of protocol 2: e-manual, Position P Gain and PWM Limit of MX(2.0).
-constexpr double kGreatestKpOfProtocol1 = 254, kDutyPerKp = 0.158;
+// Position loop of firmware of protocol 1: as that of the twin's MX-28. Of protocol 2: e-manual, Position P Gain and
+// PWM Limit of MX(2.0).
+constexpr double kGreatestKpOfProtocol1 = kMaxPGain / kGainPerCount;
 constexpr double kDivisorOfProtocol2 = 128, kPwmLimitOfProtocol2 = 885;
 
 constexpr double kLeastKtSigma = 0.1;  // as of a bench whose motor is declared, benchPriors()
@@ -46,13 +46,13 @@ std::string briefNumber(double value) {
 }
 
 double noLoadRadS(const ServoModel& model) {
-  return model.no_load_rpm * 2 * kPi / 60;
+  return model.no_load_rpm * kRadPerSecPerRpm;
 }
 
 /// Stall torque is kt * current less friction, no-load speed is below supply / kt by the same friction: if it is
 /// constant, kt is the geometric mean of what each of the two gives. Half of their distance is the sigma.
 SheetNumber torqueConstant(const SheetRow& row, const ServoModel& model) {
-  const double by_torque = model.stall_torque / row.stall_a, by_speed = kSheetVolt / noLoadRadS(model);
+  const double by_torque = model.stall_torque / row.stall_a, by_speed = kNominalSupply / noLoadRadS(model);
   return {.key = "kt_Nm_A",
           .value = std::sqrt(by_torque * by_speed),
           .relative_sigma = std::max(kLeastKtSigma, std::abs(std::log(by_speed / by_torque)) / 2),
@@ -76,7 +76,7 @@ SheetNumber armatureOf(const ServoModel& model, const twin::ServoParameters& mx2
 std::vector<SheetNumber> gainOf(bool protocol_2) {
   if (!protocol_2)
     return {{.key = "duty_per_kp_per_rad",
-             .value = kDutyPerKp,
+             .value = twin::ServoParameters{}.duty_per_kp_per_rad,
              .unless = {"duty_per_kp_per_rad", "position_p_divisor", "pwm_limit"},
              .source = "firmware of protocol 1, since no kp exceeds 254; protocol 2 has position_p_divisor=128 and "
                        "pwm_limit=885"}};
