@@ -129,7 +129,8 @@ Least leastOf(const BlockResidualFunction& cut, const Case& given, const std::ve
 Explained explain(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
                   const BlockTest& judged, const Hypothesis& hypothesis, const EffectList& effects) {
   const double before = blockCostUnder(cut, given, logs, judged, hypothesis);
-  const double beyond_noise = std::max(before - judged.expected_cost, 1e-9);
+  const double beyond_noise = before - judged.expected_cost;
+  if (!(beyond_noise > 0)) return {0, hypothesis};  // nothing to explain
   Least least{before, hypothesis};
   double share = 0;
   for (int changes = 0; changes < 2 && share < thresholds::kSplitExplainsAll; ++changes) {

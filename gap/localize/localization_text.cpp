@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 #include "core/text/formatted.hpp"
 #include "core/text/number_text.hpp"
@@ -11,16 +9,10 @@ namespace darwinop::gap {
 namespace {
 
 constexpr std::size_t kPlacesShown = 5, kRegionsShown = 3;
-constexpr std::size_t kWidth = 100;
 
-[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  char text[256];
-  std::va_list values;
-  va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
-  va_end(values);
-  std::string out = text;
-  if (out.size() > kWidth) out = out.substr(0, kWidth - 3) + "...";
+template <class... Values>
+std::string line(const char* format, Values... values) {
+  std::string out = text::formatted(format, values...);
   while (!out.empty() && out.back() == ' ') out.pop_back();
   return out + "\n";
 }
@@ -74,7 +66,7 @@ std::string asText(const Localization& where) {
     text += line("      %.2f mrad, %.1f floors in the worst, %s", 1e3 * worst->rms_rad, worst->floors,
                  where.files[static_cast<std::size_t>(worst - where.residuals.begin())].c_str());
   text += where.blocks.first ? line("Loop: look at the %s first", std::string{name(*where.blocks.first)}.c_str())
-                             : line("Loop: all that could be cut is closed");
+                             : line("%s", "Loop: all that could be cut is closed");
   for (const BlockFinding& block : where.blocks.all) text += blockText(block);
   if (where.places.empty()) return text + "Places: none beyond noise and priors\n";
   text += "Places, strongest first\n";

@@ -4,6 +4,9 @@
 
 #include "gap/report/addition.hpp"
 #include "gap/report/joint_numbers.hpp"
+#include "gap/report/messages.hpp"
+#include "gap/report/model_text.hpp"
+#include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -15,6 +18,16 @@ std::vector<std::string> placesIn(const twin::Model& model, const std::string& i
     if (there.info->id == id)
       places.push_back(there.joint ? " at " + std::string{row(*there.joint).name} : std::string{});
   return places;
+}
+
+/// What was not given may act as well: a torque limit has a typical duty.
+std::vector<std::string> typicalValues(const AddedEffect& added) {
+  std::vector<std::string> lines;
+  for (const twin::Parameter& parameter : twin::findEffect(added.id)->parameters)
+    if (std::ranges::find(added.values, parameter.key, &AddedValue::key) == added.values.end())
+      lines.push_back("  " + added.id + "." + std::string{parameter.key} + " = " +
+                      withUnit(parameter.typical, parameter.unit) + ": " + messages::kTypicalValue);
+  return lines;
 }
 
 }  // namespace
@@ -30,8 +43,13 @@ std::vector<std::string> changesBy(const Additions& given, const twin::Model& be
       places.emplace_back();
       std::ranges::copy_if(there, std::back_inserter(places), [](const std::string& place) { return !place.empty(); });
     }
-    for (const std::string& place : places)
-      lines.push_back(added.id + place + (std::ranges::find(there, place) == there.end() ? " added" : " replaced"));
+    bool is_new = false;
+    for (const std::string& place : places) {
+      const bool is_added = std::ranges::find(there, place) == there.end();
+      lines.push_back(added.id + place + (is_added ? " added" : " replaced"));
+      is_new |= is_added;
+    }
+    if (is_new) std::ranges::copy(typicalValues(added), std::back_inserter(lines));
   }
   for (const AddedNumber& number : additions.numbers)
     if (number.key.find('.') == std::string::npos)

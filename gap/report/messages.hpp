@@ -65,7 +65,7 @@ inline constexpr const char* kOtherData =
     ": the search was on other recordings than these: is it the report of another case of this name?";
 inline constexpr const char* kNotAResult = "not a result of darwinop gap";
 inline constexpr const char* kNumberGivenTwice = "this number is given twice";
-inline constexpr const char* kTypicalValue = "not known, the typical value";
+inline constexpr const char* kTypicalValue = "not given, the typical value";
 inline constexpr const char* kShiftNeedsMass =
     ": the links of a robot have no common centre of mass; a shift is written as a mass of equal moment. Give also ";
 inline constexpr const char* kTogether = " of this joint, moved by the fit, together with the effect: ";

@@ -1,8 +1,7 @@
-// What a terminal shows: at most 24 lines.
+// What a terminal shows: a screen.
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
+#include <string>
 
 #include "core/text/formatted.hpp"
 #include "core/text/joined.hpp"
@@ -20,27 +19,22 @@ namespace {
 constexpr std::size_t kColumns = 100;
 constexpr std::size_t kEstimatesShown = 5, kRivalsShown = 2, kConflictsShown = 2, kRejectedShown = 2;
 
-[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  char text[300];
-  std::va_list values;
-  va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
-  va_end(values);
-  std::string out = text;
-  if (out.size() > kColumns) out = out.substr(0, kColumns - 3) + "...";
-  return out + "\n";
-}
-
-/// Words in lines of a terminal.
-std::string inLines(std::string text) {
+/// In lines of a terminal, all but the first one after `indent`.
+std::string inLines(std::string text, const std::string& indent = "") {
   std::string out;
   while (text.size() > kColumns) {
     std::size_t cut = text.rfind(' ', kColumns);
-    if (cut == std::string::npos || cut == 0) cut = kColumns;
+    if (cut == std::string::npos || cut <= indent.size()) cut = kColumns;
     out += text.substr(0, cut) + "\n";
-    text.erase(0, text.find_first_not_of(' ', cut));
+    text.erase(0, text.find_first_not_of(' ', cut)).insert(0, indent);
   }
   return out + text + "\n";
+}
+
+/// "what      words that go on below themselves"
+template <class... Values>
+std::string line(const char* format, Values... values) {
+  return inLines(text::formatted(format, values...), std::string(10, ' '));
 }
 
 /// What would decide between the effects of `ambiguous`: of the first, the page has all.
@@ -112,11 +106,11 @@ std::string rivalText(const Identification& identification) {
 }
 
 std::string rowText(const std::string& what, const Gap& gap, bool below_floor) {
-  return line(
-      "  %-30s %10s %10s %10s %12s%s", what.c_str(), inMrad(gap.before_rad).c_str(), inMrad(gap.after_rad).c_str(),
+  return text::formatted(
+      "  %-30s %10s %10s %10s %12s%s\n", what.c_str(), inMrad(gap.before_rad).c_str(), inMrad(gap.after_rad).c_str(),
       inMrad(gap.floor_rad).c_str(),
       std::isfinite(gap.floorsAfter()) ? (std::to_string(gap.floorsAfter()).substr(0, 5) + " floors").c_str() : "-",
-      below_floor ? ("  " + std::string{messages::kBelowFloorFlag} + "!").c_str() : "");
+      below_floor ? ("  a log " + std::string{messages::kBelowFloorFlag} + "!").c_str() : "");
 }
 
 std::string tableText(const Case& given, const Comparison& comparison) {

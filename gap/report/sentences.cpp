@@ -27,10 +27,20 @@ std::string titlesOf(const std::vector<IdentifiedEffect>& found) {
   return text::joined(titles, ", ") + " and " + last;
 }
 
-/// "friction 0.0812 N m (9 in 10 sure: 0.0781 to 0.0853 N m)" of the first number of the first effect.
+/// False: the interval contains the value with which the effect does nothing.
+bool isActive(const twin::EffectInfo& effect, const Estimate& one) {
+  const auto parameter =
+      std::ranges::find(effect.parameters, one.name.substr(one.name.find('.') + 1), &twin::Parameter::key);
+  return parameter == effect.parameters.end() || one.low > parameter->neutral || one.high < parameter->neutral;
+}
+
+/// "friction 0.0812 N m (9 in 10 sure: 0.0781 to 0.0853 N m)" of the first number of the first effect that shows.
 std::string firstNumber(const Identification& identification) {
   if (identification.effects.size() != 1 || identification.effects.front().estimates.empty()) return "";
-  const Estimate& one = identification.effects.front().estimates.front();
+  const auto& estimates = identification.effects.front().estimates;
+  const twin::EffectInfo& effect = *identification.effects.front().effect;
+  const auto active = std::ranges::find_if(estimates, [&](const Estimate& each) { return isActive(effect, each); });
+  const Estimate& one = active == estimates.end() ? estimates.front() : *active;
   std::string text = ": " + one.name.substr(one.name.find('.') + 1) + " " + withUnit(one.value, one.unit);
   if (!one.seen || !std::isfinite(one.low) || !std::isfinite(one.high)) return text;
   return text + ", with nine chances in ten between " + withUnit(one.low, "") + " and " + withUnit(one.high, one.unit);

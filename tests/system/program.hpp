@@ -16,8 +16,8 @@
 
 namespace darwinop {
 
-/// A limit of time, for tests that may run at idle priority, where a processor comes seldom: the preset `simulated` sets
-/// the factor.
+/// A limit of time, for tests that may run at idle priority, where a processor comes seldom: the preset `simulated`
+/// sets the factor.
 inline std::chrono::seconds patiently(std::chrono::seconds at_most) {
   const char* const factor = std::getenv("DARWINOP_TEST_PATIENCE");
   return at_most * (factor != nullptr ? std::atoi(factor) : 1);

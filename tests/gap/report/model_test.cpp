@@ -16,6 +16,7 @@ namespace darwinop::gap {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -119,6 +120,12 @@ TEST(AddByHand, PutsEffectsIntoTheFileAndLeavesItsComments) {
   EXPECT_THAT(text, HasSubstr("[effect coulomb]\nfriction = 0.05 N m"));
   EXPECT_THAT(text, HasSubstr("[effect stribeck]\nfriction = 0.06 N m\nspeed = 0.2 rad/s"));
   EXPECT_THAT(text, HasSubstr("exponent: " + std::string{messages::kTypicalValue}));
+}
+
+TEST(AddByHand, SaysWhichNumbersWereNotGiven) {
+  EXPECT_THAT(
+      changesBy(additionsFrom({"torque_limit.torque=2"}), twin::parseModel(kModel, "m")),
+      ElementsAre("torque_limit added", HasSubstr("torque_limit.duty = 0.6: " + std::string{messages::kTypicalValue})));
 }
 
 TEST(AddByHand, LeavesTheOtherParametersOfAnEffectThatIsThere) {

@@ -157,8 +157,30 @@ TEST(Summary, FitsAScreenHoweverMuchWasFound) {
   identification.prior_conflicts.assign(9, {"duty_per_kp", 3.3, 1.2});
   rig.make();
   const std::vector<std::string> lines = linesOfText(asText(rig.report));
-  EXPECT_LE(lines.size(), 24U);
+  EXPECT_LE(lines.size(), 26U);
   for (const std::string& line : lines) EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST(Summary, ContinuesALongLineBelowItself) {
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  identification.verdict = Verdict::kAmbiguous;
+  identification.rivals.assign(
+      1,
+      {{"deadband", "load_dependent_friction", "directional_load_friction", "backlash", "quadratic_load_friction"}, 5});
+  rig.make();
+  EXPECT_THAT(asText(rig.report), HasSubstr("quadratic_load_friction"));
+}
+
+TEST(Summary, BeginsWithANumberThatActs) {
+  ReportRig rig;
+  rig.outcome.identification.verdict = Verdict::kNamed;
+  rig.outcome.identification.effects = {
+      {twin::findEffect("torque_limit"),
+       {{"torque_limit.duty", "", 1, 0.996, 1}, {"torque_limit.torque", "N m", 4.86, 4.72, 5}},
+       100}};
+  rig.make();
+  EXPECT_THAT(asText(rig.report), HasSubstr("torque 4.86 N m, with nine chances"));
 }
 
 TEST(Summary, GivesNoIntervalForWhatTheDataSayNothingAbout) {
