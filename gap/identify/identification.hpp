@@ -76,7 +76,7 @@ struct Identification {
   Hypothesis model;                              // the baseline with the effects
   std::vector<std::string> explained;            // files of the logs that alone were fitted; empty: all were
   bool too_few_logs = false;  // `cannot_tell`: a roughly known motor, and fewer than three independent fitted logs
-  bool remains = false;       // named or ambiguous, with a remainder that no effect of the catalogue explains
+  bool remains = false;       // named or ambiguous, with a remainder that no further effect was found to explain
 
   /// Chance and evidence say nothing of a model that is wrong: effects and rivals are those that predict left-out logs.
   [[nodiscard]] bool isSelectedByPrediction() const { return std::isnan(threshold); }

@@ -33,11 +33,12 @@ inline constexpr const char* kTooLittle =
 inline constexpr const char* kTooFewLogs =
     "These logs differ from the model, but a roughly known motor needs three fitted logs, repeats counted once, to say "
     "why.";
-inline constexpr const char* kRemainder = "; a remainder is left that no effect of the catalogue explains.";
+inline constexpr const char* kRemainder = "; a remainder is left that no further effect was found to explain.";
 inline constexpr const char* kWidened = "The intervals are widened by the remainder.";
 inline constexpr const char* kExplained =
     "Fitted to these logs, which it explains down to the noise; the others have the remainder: ";
 inline constexpr const char* kTried = "The best effects that were tried, not named and not in the changed model: ";
+inline constexpr const char* kMissingThere = ": something is missing there.";  // of the held-out logs
 inline constexpr const char* kUnchanged = "is within noise of what it was, ";
 inline constexpr const char* kGrowsSlightly = "grows slightly, from ";
 inline constexpr const char* kNotIdentifiable = "not identifiable from these data";

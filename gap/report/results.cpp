@@ -22,9 +22,9 @@ std::vector<std::string> reasonsFor(const Case& given, const Identification& ide
     lines.front() += "; " + text::fixedText(identification.threshold, 0) + " is exceeded by chance in " +
                      chanceShare(identification) + " of cases";
   if (identification.verdict == Verdict::kUnknown)
-    lines.emplace_back("It improves the fit and leaves a gap that no effect of the catalogue explains");
+    lines.emplace_back("It improves the fit and leaves a gap that no further effect was found to explain");
   if (identification.remains)
-    lines.emplace_back("These logs have a remainder that no effect of the catalogue explains");
+    lines.emplace_back("These logs have a remainder that no further effect was found to explain");
   if (identification.verdict == Verdict::kAmbiguous && &found == &identification.effects.back())
     for (const Rival& rival : closeRivals(identification))
       lines.push_back("Not certain: " + text::joined(rival.effects, " + ") + " explains the logs nearly as well");

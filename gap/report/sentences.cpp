@@ -214,7 +214,9 @@ std::string helpSentence(const Comparison& comparison) {
   const Gap& gap = comparison.held_out;
   if (comparison.held_out_logs == 0)
     return std::string{messages::kNoHeldOutLog} + " Nothing here shows that a changed model is better.";
-  const std::string noise = "noise alone makes " + inMrad(gap.floor_rad) + ".";
+  const bool is_missed = gap.floorsAfter() > thresholds::kSmallRemainder;
+  const std::string noise =
+      "noise alone makes " + inMrad(gap.floor_rad) + (is_missed ? messages::kMissingThere : std::string{"."});
   const std::string before = inMrad(gap.before_rad) + " mrad", after = inMrad(gap.after_rad) + " mrad";
   const std::string on = "On held-out logs the position error ";
   const double change = (gap.after_rad - gap.before_rad) / gap.before_rad;

@@ -13,6 +13,7 @@ namespace darwinop::gap {
 namespace {
 
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -202,6 +203,14 @@ TEST(Summary, WarnsOfAModelThatGotWorseAndOfOneThatIsTooGood) {
   EXPECT_THAT(inOneLine(asText(rig.report)), AllOf(HasSubstr(messages::kUnchanged), Not(HasSubstr(messages::kWorse))));
   rig.report.comparison.logs[1].below_floor = true;
   EXPECT_THAT(asText(rig.report), HasSubstr(std::string{messages::kBelowFloorFlag} + "!"));
+}
+
+TEST(Summary, SaysThatSomethingIsMissingWhereHeldOutLogsStayAboveTheNoise) {
+  ReportRig rig;
+  rig.report.comparison.held_out = gapOfMrad(181, 111, 2);
+  EXPECT_THAT(helpSentence(rig.report.comparison), EndsWith(messages::kMissingThere));
+  rig.report.comparison.held_out = gapOfMrad(181, 3.9, 2);
+  EXPECT_THAT(helpSentence(rig.report.comparison), Not(EndsWith(messages::kMissingThere)));
 }
 
 TEST(Summary, CallsOnlyGrowthWithinNoiseUnchanged) {
