@@ -137,7 +137,7 @@ std::string asBamJson(const Case& c, const Trajectory& log, std::string_view mot
   const twin::Pendulum arm = armOf(c, log);
   Json entries = Json::array();
   // BAM's recorder writes before it reads: a command that was written after a read belongs to the next row.
-  const bool after_read = c.goal_order == GoalOrder::kAfterRead;
+  const bool after_read = c.goal_order == GoalOrder::kAfterRead && !log.isReadAfterWrite();
   for (std::size_t row = 0; row < log.rows(); ++row) {
     const std::size_t command = after_read && row > 0 ? row - 1 : row;
     Json entry = {{"timestamp", log.time_s[row]},

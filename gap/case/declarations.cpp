@@ -8,6 +8,7 @@
 #include "gap/case/baseline_keys.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
+#include "gap/case/write_time.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -18,8 +19,8 @@ constexpr BenchKey kBench[] = {{"kp", {}, "P register"},
                                {"arm_mass_kg", 0, "the arm without the weight"},
                                {"supply_V", {}, "nominal supply"}};
 /// Of logs and their rows.
-constexpr std::string_view kOfLogs[] = {"goal_order", "motor", "joint",        "torque_on",
-                                        "from_s",     "to_s",  "hangs_at_rad", "axis"};
+constexpr std::string_view kOfLogs[] = {"goal_order", "motor",        "joint", "torque_on",  "from_s",
+                                        "to_s",       "hangs_at_rad", "axis",  kWriteTimeKey};
 constexpr std::string_view kSigma = "_rel_sigma";
 constexpr std::string_view kDutyGain = "duty_per_kp_per_rad";
 

@@ -8,6 +8,7 @@
 #include "gap/case/folder_files.hpp"
 #include "gap/case/known_servos.hpp"
 #include "gap/case/messages.hpp"
+#include "gap/case/write_time.hpp"
 #include "hal/text_file.hpp"
 
 namespace darwinop::gap {
@@ -48,8 +49,7 @@ FolderCase fromBam(const RawFolder& request, Declarations declared) {
   } else {
     out.notes.push_back("motor \"" + out.motor + "\" has the numbers of model " + model + "; correct them in the case");
   }
-  if (!declared.text("goal_order"))
-    out.notes.emplace_back("goals count as written before the read of their row, as BAM's recorder does");
+  if (!declared.text("goal_order") && !declared.text(kWriteTimeKey)) out.notes.emplace_back(messages::kBamOrder);
   checkBamLogs(declared, out);
   return out;
 }
@@ -109,6 +109,7 @@ FolderCase readRawFolder(const RawFolder& request) {
   const Declarations declared{request.declared};
   FolderCase out = isBam(request) ? fromBam(request, declared) : fromCsv(request, declared);
   noteUnusable(out);
+  if (const auto before_s = declared.number(kWriteTimeKey)) setWriteTime(*before_s, out.given);
   holdOut(request.held_out, out);
   request.all_logs ? noteAllLogs(out) : chooseLogs(out);
   for (const Contradiction& found : contradictionsOf(out.given)) out.notes.push_back(asSentence(found));
