@@ -12,7 +12,7 @@ inline constexpr double kRadPerTick = 2.0 * kPi / 4096.0;  // 1.533981 mrad
 
 // Source: MX-28 control table, moving speed and present speed: 0.114 rpm a count, 1023 counts.
 inline constexpr double kRpmPerCount = 0.114;
-inline constexpr double kRadPerSecPerCount = kRpmPerCount * kRadPerSecPerRpm;  // 0.0119381 rad/s
+inline constexpr double kRadPerSecPerCount = kRpmPerCount * kPi / 30.0;  // 0.0119381 rad/s
 inline constexpr int kSpeedMax = 1023;
 
 // Source: MX-28 data sheet at 12 V. Stall torque is a torque limit of 1023.
@@ -25,7 +25,7 @@ inline constexpr double kLeastTorque = kMaxTorqueNm / kTorqueMax;  // N m, one c
 
 // Four speeds in rad/s, each with its own meaning:
 // - no-load speed at 12 V by the data sheet; under the robot's weight about half of it;
-inline constexpr double kNoLoadSpeed = kNoLoadRpm * kRadPerSecPerRpm;  // 5.760
+inline constexpr double kNoLoadSpeed = kNoLoadRpm * 2 * kPi / 60;  // 5.760
 // - highest speed limit, full scale of the register;
 inline constexpr double kRegisterSpeed = kSpeedMax * kRadPerSecPerCount;  // 12.2127
 // - the same rounded down, as used in settings and experiment files; and one count, rounded down;
