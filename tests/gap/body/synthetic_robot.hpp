@@ -64,8 +64,8 @@ struct SyntheticRobot {
     text += "\n";
     Rng rng{seed * 1000 + of};
     constexpr double kTick = 2 * kPi / 4096;
-    constexpr int kRows = 160;
-    for (int row = 0; row < kRows; ++row) {
+    constexpr int kRowsOfLog = 160;
+    for (int row = 0; row < kRowsOfLog; ++row) {
       text += std::to_string(0.016 * row) + "," + std::to_string(row + 1);
       for (std::size_t i = 0; i < 3; ++i)
         text += "," + std::to_string(inSteps(gyro_bias[i] + 0.03 * rng.normal(), 0.0545));
@@ -78,7 +78,7 @@ struct SyntheticRobot {
           continue;
         }
         const auto goal = [&](int k) { return 0.3 * std::sin(0.05 * k + static_cast<double>(j)); };
-        const auto gain = [&](int k) { return k < kRows / 2 ? 4 : p_gain_late; };
+        const auto gain = [&](int k) { return k < kRowsOfLog / 2 ? 4 : p_gain_late; };
         const auto limp = [&](int k) {
           return j == limp_joint && k >= static_cast<int>(limp_from) && k < static_cast<int>(limp_to);
         };

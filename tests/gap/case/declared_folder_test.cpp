@@ -37,13 +37,13 @@ TEST_F(DeclaredFolder, WhatIsDeclaredOfBamLogsCounts) {
   const Case plain = declaring({});
   const Case read = declaring({"kt_Nm_A_rel_sigma=0.02", "arm_mass_kg_rel_sigma=0.3", "hangs_at_rad=0.05",
                                "goal_order=after_read", "axis=vertical", "from_s=0.1", "to_s=2.2"});
-  const auto sigmaOf = [&](std::string_view number) {
+  const auto sigma_of = [&](std::string_view number) {
     const auto found = std::ranges::find(read.priors, number, &Prior::number);
     return found == read.priors.end() ? 0 : found->relative_sigma;
   };
-  EXPECT_EQ(sigmaOf("kt"), 0.02);
-  EXPECT_EQ(sigmaOf("resistance"), 0.15) << "of every bench";
-  EXPECT_EQ(sigmaOf("arm_mass"), 0.3);
+  EXPECT_EQ(sigma_of("kt"), 0.02);
+  EXPECT_EQ(sigma_of("resistance"), 0.15) << "of every bench";
+  EXPECT_EQ(sigma_of("arm_mass"), 0.3);
   EXPECT_EQ(plain.goal_order, GoalOrder::kBeforeRead);
   EXPECT_EQ(read.goal_order, GoalOrder::kAfterRead);
   EXPECT_EQ(read.pendulum.gravity_m_s2, 0);
@@ -73,7 +73,7 @@ TEST_F(DeclaredFolder, ADeclaredSupplyIsThatOfAllBamLogs) {
 }
 
 TEST_F(DeclaredFolder, ASupplyThatIsNotDeclaredIsMeasuredOrAskedFor) {
-  const auto withVolts = [](const std::string& load, const std::string& volts) {
+  const auto with_volts = [](const std::string& load, const std::string& volts) {
     const std::string text = bamText([&](int) { return load; }, zero, "\"kp\": 8, \"motor\": \"mx28\"");
     std::string json = replaced(text, "\"vin\": 12, ", "");
     for (std::size_t at = 0; (at = json.find("12.1", at)) != std::string::npos; at += volts.size())
@@ -83,19 +83,19 @@ TEST_F(DeclaredFolder, ASupplyThatIsNotDeclaredIsMeasuredOrAskedFor) {
   const auto reading = [&] {
     return readRawFolder({.folder = folder / "", .model = "", .declared = {}, .held_out = {}});
   };
-  write(folder / "a.json", withVolts("12", "15.0"));
-  write(folder / "b.json", withVolts("1030", "15.2"));
+  write(folder / "a.json", with_volts("12", "15.0"));
+  write(folder / "b.json", with_volts("1030", "15.2"));
   const FolderCase measured = reading();
   for (const Trajectory& log : measured.given.logs) EXPECT_NEAR(supplyOf(measured.given, log), 15.1, 0.11);
   EXPECT_EQ(supplyOf(measured.given, measured.given.logs[0]), supplyOf(measured.given, measured.given.logs[1]));
   EXPECT_THAT(measured.notes, Contains(HasSubstr(messages::kSupplyMeasured)));
-  write(folder / "b.json", withVolts("1030", "11.1"));
+  write(folder / "b.json", with_volts("1030", "11.1"));
   const Case two = reading().given;
   EXPECT_EQ(supplyOf(two, two.logs[0]), 15.0);
   EXPECT_EQ(supplyOf(two, two.logs[1]), 11.1);
   for (const auto& [load, volts] : {std::pair{"300", "15.0"}, {"12", "0"}, {"12", "150"}}) {
-    write(folder / "a.json", withVolts(load, volts));
-    write(folder / "b.json", withVolts(load, volts));
+    write(folder / "a.json", with_volts(load, volts));
+    write(folder / "b.json", with_volts(load, volts));
     try {
       (void)reading();
       ADD_FAILURE() << "under load, or not read, or in tenths: " << volts;
@@ -107,13 +107,13 @@ TEST_F(DeclaredFolder, ASupplyThatIsNotDeclaredIsMeasuredOrAskedFor) {
 
 TEST_F(DeclaredFolder, ASupplyThatTheVoltagesContradictIsNoted) {
   const std::string idle = bamText([](int) { return "12"; }, zero, "\"kp\": 8, \"motor\": \"mx28\"");
-  const auto notesOf = [&](const std::string& log) {
+  const auto notes_of = [&](const std::string& log) {
     write(folder / "a.json", log);
     return readRawFolder({.folder = folder / "", .model = "", .declared = {}, .held_out = {}}).notes;
   };
   const auto is_noted = Contains(testing::AllOf(HasSubstr("supply_V"), HasSubstr(messages::kContradicted)));
-  EXPECT_THAT(notesOf(idle), testing::Not(is_noted));
-  EXPECT_THAT(notesOf(replaced(idle, "\"vin\": 12", "\"vin\": 15")), is_noted);
+  EXPECT_THAT(notes_of(idle), testing::Not(is_noted));
+  EXPECT_THAT(notes_of(replaced(idle, "\"vin\": 12", "\"vin\": 15")), is_noted);
 }
 
 TEST_F(DeclaredFolder, AnotherMotorIsDeclaredInFull) {
@@ -137,17 +137,17 @@ TEST_F(DeclaredFolder, TheArmatureOfAnotherServoIsNoted) {
   const TemporaryFolder csv;
   write(folder / "a.json", bamText(zero, zero, kUnknownMotor));
   write(csv / "a.csv", csvOf(sineRows()));
-  const auto notesFor = [&](const std::string& from, std::vector<std::string> words) {
+  const auto notes_for = [&](const std::string& from, std::vector<std::string> words) {
     for (const char* const one : {"stall_Nm_at_12V=8.4", "stall_A_at_12V=5.2", "duty_per_kp_per_rad=0.158"})
       words.emplace_back(one);
     return readRawFolder({.folder = from, .model = "", .declared = words, .held_out = {}}).notes;
   };
   const auto is_noted = Contains(HasSubstr(messages::kArmatureAssumed));
-  EXPECT_THAT(notesFor(folder / "", {}), is_noted);
-  EXPECT_THAT(notesFor(folder / "", {"armature_kgm2=0.02"}), testing::Not(is_noted));
-  EXPECT_THAT(notesFor(folder / "", {"armature_kgm2=0.02", "firmware_dt_s=0.002"}),
+  EXPECT_THAT(notes_for(folder / "", {}), is_noted);
+  EXPECT_THAT(notes_for(folder / "", {"armature_kgm2=0.02"}), testing::Not(is_noted));
+  EXPECT_THAT(notes_for(folder / "", {"armature_kgm2=0.02", "firmware_dt_s=0.002"}),
               testing::Not(Contains(HasSubstr(messages::kLeftAside))));
-  EXPECT_THAT(notesFor(csv / "", {"kp=32", "payload_kg=0.3", "length_m=0.17", "supply_V=12"}), is_noted);
+  EXPECT_THAT(notes_for(csv / "", {"kp=32", "payload_kg=0.3", "length_m=0.17", "supply_V=12"}), is_noted);
 }
 
 }  // namespace
