@@ -54,7 +54,8 @@ inline constexpr double kLeastGapFloors = 2;
 inline constexpr int kBootstrapRuns = 200;
 /// Replicas where the model is plainly wrong (kPlainCost): the threshold matters less there.
 inline constexpr int kFewBootstrapRuns = 40;
-/// Cost per residual above which a model is plainly wrong for that purpose.
+/// Cost per residual above which a model, or a log of it (gap/identify/stuck_log.cpp), is plainly wrong; a right one
+/// has about 1. It decides how many replicas are made, and whether a fit is tried from elsewhere, not what is named.
 inline constexpr double kPlainCost = 1.5;
 /// Seeds of replicas start here, apart from those of the noise model.
 inline constexpr std::uint64_t kBootstrapSeed = 900'000'000;

@@ -80,7 +80,7 @@ inline constexpr const char* kBamOrder =
     "goals count as written right after the read of the row before; BAM's recorder writes them later, which then looks "
     "like a delay of less than a row: --declare written_before_s=0.003 if it was 3 ms before the read";
 inline constexpr const char* kHasWriteTimes = "has written_s and read_s itself; take the declaration away";
-inline constexpr const char* kBeyondItsRow = "rows are %.1f ms apart; give less than that, in seconds";
+inline constexpr const char* kBeyondItsRow = "rows are %.1f ms apart; give seconds, more than 0 and less than that";
 inline constexpr const char* kOfBeforeRead =
     " is for goals that are written before the read of their row; add --declare goal_order=before_read";
 inline constexpr const char* kUnitLeftOut = "has a unit that is not known, and is left out";

@@ -1,4 +1,4 @@
-// What a terminal shows: a screen.
+// The summary on the terminal, about one screen.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -37,7 +37,7 @@ TEST_F(WriteTime, OfBamsLogsIsInTheCase) {
   ASSERT_TRUE(back.logs[0].isReadAfterWrite());
   EXPECT_THAT(back.logs[0].written_s, Each(0));
   EXPECT_THAT(back.logs[0].read_s, Each(0.0025));
-  EXPECT_FALSE(back.logs[0].is_phase_known) << "the firmware runs on its own";
+  for (const Case& one : {read.given, back}) EXPECT_FALSE(one.logs[0].is_phase_known) << "the firmware runs on its own";
   EXPECT_EQ(back.logs[0].goal_rad, readDeclaring({}).given.logs[0].goal_rad);
 }
 
@@ -49,6 +49,7 @@ TEST_F(WriteTime, IsNotInBamsFormatWhichHasEachGoalInItsRow) {
 
 TEST_F(WriteTime, IsLessThanARowAndOfGoalsBeforeTheRead) {
   EXPECT_THAT(refusalOf({"written_before_s=2.5"}), HasSubstr("rows are 12.5 ms apart"));
+  EXPECT_THAT(refusalOf({"written_before_s=0"}), HasSubstr("more than 0"));
   EXPECT_THAT(refusalOf({"written_before_s=0.002", "goal_order=after_read"}), HasSubstr(messages::kOfBeforeRead));
 }
 
