@@ -14,10 +14,10 @@ void set(double before_s, Trajectory& log) {
   if (log.isReadAfterWrite()) throw BadInput(what + messages::kHasWriteTimes);
   if (const double period_s = periodOf(log); !(before_s > 0 && before_s < period_s))
     throw BadInput(what + text::formatted(messages::kBeyondItsRow, 1e3 * period_s));
-  // The clock of a log has no zero of its own: it begins at the write instead of the read.
+  // The clock of a log has no zero of its own: it begins at the write instead of the read. The firmware is not in step
+  // with it (Trajectory::is_phase_known), as in every log that does not say so.
   log.written_s.assign(log.rows(), 0);
   log.read_s.assign(log.rows(), before_s);
-  log.is_phase_known = false;
 }
 
 }  // namespace
