@@ -7,6 +7,7 @@
 
 #include "gap/plant/bench/roll_out.hpp"
 #include "gap/plant/row_state.hpp"
+#include "gap/plant/write_instant.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -61,7 +62,8 @@ double registeredAt(const Trajectory& log, std::size_t row, double period_s) {
 }  // namespace
 
 std::vector<double> replay(const Trajectory& log, GoalOrder order, TargetJoint& joint, double step_s,
-                           double firmware_period_s) {
+                           const Hypothesis& hypothesis) {
+  const double firmware_period_s = hypothesis.servo.firmware_period_s;
   Replay run{log, order, joint, step_s};
   std::vector<double> position(log.rows());
   for (std::size_t row = 0; row < log.rows(); ++row) {
@@ -74,9 +76,13 @@ std::vector<double> replay(const Trajectory& log, GoalOrder order, TargetJoint& 
       run.advanceTo(written_s);
       run.command(row);
       if (!is_older) position[row] = run.positionAt(registered_s);
+    } else if (order == GoalOrder::kBeforeRead) {
+      run.advanceTo(writtenAt(log, row, hypothesis.written_before_s));
+      run.command(row);
+      position[row] = run.positionAt(time_s);
     } else {
       position[row] = run.positionAt(time_s);
-      run.command(order == GoalOrder::kAfterRead ? row : std::min(row + 1, log.rows() - 1));
+      run.command(row);
     }
   }
   return position;

@@ -8,9 +8,9 @@
 
 namespace darwinop::gap {
 
-/// Position of the joint at each row of the log, as its servo would have answered. `step_s`: of the target.
-/// `firmware_period_s`: of the servo, which answers with the position that its firmware read last.
+/// Position of the joint at each row of the log, as its servo would have answered: with the position that its firmware
+/// read last. `step_s`: of the target. `hypothesis`: for the firmware's period and the instants of the writes.
 std::vector<double> replay(const Trajectory& log, GoalOrder order, TargetJoint& joint, double step_s,
-                           double firmware_period_s);
+                           const Hypothesis& hypothesis);
 
 }  // namespace darwinop::gap

@@ -72,7 +72,7 @@ ReMeasured remeasure(Target target, const Case& given, const Hypothesis& hypothe
     here.pendulum = armOf(given, log, hypothesis);
     here.servo.supply_v = supplyOf(given, log, hypothesis);
     const auto joint = jointOf(target, numbersOf(here, conditions), armOf(here, log.payload_kg), step_s);
-    there[i].add(log.position_rad, replay(log, given.goal_order, *joint, step_s, hypothesis.servo.firmware_period_s));
+    there[i].add(log.position_rad, replay(log, given.goal_order, *joint, step_s, hypothesis));
   });
 
   SquareSum sums[2][2];  // fit and held out; twin and target

@@ -33,6 +33,7 @@ void move(Hypothesis& hypothesis, const Unknown& unknown, double value) {
                      // One constant makes torque and back EMF.
                      if (number == &twin::ServoParameters::kt_nm_a) hypothesis.servo.back_emf_vs_rad *= value;
                    },
+                   [&](WriteTime) { hypothesis.written_before_s = value; },
                    [&](const EffectParameter& parameter) {
                      hypothesis.with(*parameter.info, parameter.place).values[parameter.index] = value;
                    }},
@@ -81,6 +82,13 @@ std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis
     }
     if (sigma > 0) unknowns.push_back(factor(known, sigma));
   }
+  if (const double longest_s = longestWriteTime(given); longest_s > 0)  // any time within a row is as likely
+    unknowns.push_back({.name = WriteTime::kName,
+                        .what = WriteTime{},
+                        .expected = given.written_before_s.value_or(longest_s / 2),
+                        .sigma = longest_s / std::sqrt(12.0),
+                        .low = 0,
+                        .high = longest_s});
   for (const Prior& prior : given.priors) {
     const std::size_t dot = prior.number.find('.');
     if (dot == std::string::npos) continue;

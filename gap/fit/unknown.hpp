@@ -1,4 +1,4 @@
-// An unknown of a fit: a number of the servo, of the load, or of an effect, with its prior.
+// An unknown of a fit: a number of the servo, of the load, of the host, or of an effect, with its prior.
 #pragma once
 
 #include <limits>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gap/plant/baseline_number.hpp"
+#include "gap/plant/write_instant.hpp"
 
 namespace darwinop::gap {
 
@@ -19,7 +20,7 @@ struct EffectParameter {
 
 struct Unknown {
   std::string name;  // "kt", "coulomb.friction", of a place with a name "AnkleR.coulomb.friction"
-  std::variant<LoadFactor, ServoFactor, EffectParameter> what;
+  std::variant<LoadFactor, ServoFactor, EffectParameter, WriteTime> what;
   double expected = 1;                                     // mean of the prior; where a search begins
   double sigma = std::numeric_limits<double>::infinity();  // of the prior; infinity: nothing is known
   double low = 0, high = 0;                                // bounds of the search

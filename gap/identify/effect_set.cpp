@@ -72,8 +72,10 @@ Problem problemWith(const Study& study, const Evidence& evidence, const Effects&
   // Numbers of another law's motor come from a data sheet: they belong to no baseline and are never exact.
   const bool other_motor = hypothesis.law() != hypothesis.servo.law;
   if (nuisance == Nuisance::kFixed)
-    std::erase_if(all,
-                  [&](const Unknown& one) { return !other_motor || (one.name != "kt" && one.name != "resistance"); });
+    std::erase_if(all, [&](const Unknown& one) {
+      const bool is_sheets = other_motor && (one.name == "kt" || one.name == "resistance");
+      return !is_sheets && !std::holds_alternative<WriteTime>(one.what);
+    });
   std::erase_if(all, [&](const Unknown& one) {  // the effect's own parameter replaces it
     return one.name.find('.') != std::string::npos &&
            std::ranges::any_of(effects, [&](const ChosenEffect& chosen) { return isAliasOf(*chosen.info, one.name); });

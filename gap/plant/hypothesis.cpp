@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "gap/plant/write_instant.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -74,6 +75,8 @@ bool loadIsDutyIn(const Hypothesis& hypothesis, const Trajectory& log) {
 Hypothesis baselineOf(const Case& given) {
   Hypothesis baseline{.servo = given.model.servo, .effects = {}, .pendulum = given.pendulum, .payload_scale = 1};
   for (const twin::EffectSetting& effect : given.model.effects) baseline.with(*effect.info).values = effect.values;
+  if (const double longest_s = longestWriteTime(given); longest_s > 0)
+    baseline.written_before_s = given.written_before_s.value_or(longest_s / 2);
   return baseline;
 }
 
@@ -99,6 +102,7 @@ Case withModel(Case given, const Hypothesis& model) {
   given.model.servo = model.servo;
   given.model.effects.assign(model.effects.begin(), model.effects.end());
   given.pendulum = model.pendulum;
+  if (std::isfinite(model.written_before_s)) given.written_before_s = model.written_before_s;
   for (Trajectory& log : given.logs) log.payload_kg *= model.payload_scale;
   return given;
 }

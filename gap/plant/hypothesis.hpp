@@ -1,6 +1,7 @@
 // A model of a bench: numbers of the servo, effects, pendulum, payload factor.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,9 @@ struct Hypothesis {
   std::vector<PlacedEffect> effects;  // in the order of the catalogue, each at most once a place
   twin::Pendulum pendulum;            // without the payload, which is each log's
   double payload_scale = 1;           // of every log's payload
+  /// From the write of a goal to the read of its row, s; for GoalOrder::kBeforeRead. Infinity: right after the read of
+  /// the row before.
+  double written_before_s = std::numeric_limits<double>::infinity();
 
   /// Null: it does not have this effect.
   [[nodiscard]] twin::EffectSetting* find(std::string_view id, const Place& place = {});

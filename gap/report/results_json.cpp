@@ -6,6 +6,7 @@
 #include "gap/case/contradictions.hpp"
 #include "gap/identify/assessment.hpp"
 #include "gap/report/joint_numbers.hpp"
+#include "gap/plant/write_instant.hpp"
 #include "gap/report/results.hpp"
 #include "gap/report/sentences.hpp"
 
@@ -87,8 +88,10 @@ json movedOf(const Written& written) {
 
 /// What the fit moved of the bench, which no model file holds.
 json benchOf(const Case& given, const Identification& identification) {
-  return {{"payload_factor", identification.model.payload_scale},
-          {"length_factor", identification.model.pendulum.length_m / given.pendulum.length_m}};
+  json bench = {{"payload_factor", identification.model.payload_scale},
+                {"length_factor", identification.model.pendulum.length_m / given.pendulum.length_m}};
+  if (longestWriteTime(given) > 0) bench["written_before_s"] = identification.model.written_before_s;
+  return bench;
 }
 
 json contradictionsAsJson(const Case& given) {

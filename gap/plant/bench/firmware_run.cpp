@@ -8,6 +8,7 @@
 #include "core/conversions.hpp"
 #include "gap/plant/bench/surroundings.hpp"
 #include "gap/plant/row_state.hpp"
+#include "gap/plant/write_instant.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -45,9 +46,17 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
   servo.reset(held.value_or(knownPosition(log, 0)), log.session_start_s);
   ServoDrive drive{.torque_limit = 1, .supply_v = supplyOf(given, log, hypothesis)};
   drive.speed_limit_rad_s = log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity();
+  const auto goalAt = [&](std::size_t commands) {
+    const double goal = log.goal_rad[commands];
+    if (given.goal_order == GoalOrder::kAfterRead || commands == 0) return goal;
+    const double end_s = static_cast<double>(run.periods() + 1) * run.period_s;
+    const double written_s = writtenAt(log, commands, hypothesis.written_before_s);
+    const double share = shareOfGoal(end_s, written_s, run.period_s), before = log.goal_rad[commands - 1];
+    return share < 1 ? before + share * (goal - before) : goal;
+  };
   const auto period = [&](std::size_t commands, double position, double velocity) {
     const bool is_before = run.duty.empty() && held && !log.isReadAfterWrite();
-    drive.goal_rad = is_before ? *held : log.goal_rad[commands];
+    drive.goal_rad = is_before ? *held : goalAt(commands);
     drive.torque_on = is_before || log.torque_on[commands] != 0;
     drive.p_gain = log.pRegisterAt(commands) / kRegisterPerKp;
     temperature_c = temperatureOf(log, commands);

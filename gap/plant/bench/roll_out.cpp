@@ -13,6 +13,7 @@
 #include "gap/plant/bench/firmware_run.hpp"
 #include "gap/plant/bench/surroundings.hpp"
 #include "gap/plant/row_state.hpp"
+#include "gap/plant/write_instant.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -30,15 +31,18 @@ class Run {
         held_{heldBefore(log, given.goal_order)},
         folded_{options.steps_per_period > 0 ? 1 : foldedPeriods(log, hypothesis)},
         period_s_{folded_ * hypothesis.servo.firmware_period_s},
-        phase_s_{phaseOf(log, options) * period_s_},
+        is_written_between_{isWrittenBetween(log, hypothesis)},
+        phase_s_{phaseOf(log, hypothesis, options) * period_s_},
         nominal_v_{supplyOf(given, log, hypothesis)},
+        written_before_s_{hypothesis.written_before_s},
+        goal_rad_{held_.value_or(log.goal_rad[0])},
         temperature_c_{temperatureOf(log, 0)},
         bench_{servoOf(hypothesis), effects(hypothesis), armOf(given, log, hypothesis)} {
     if (options.disturbance != nullptr)
       ripple_.emplace(options.disturbance->supply_v, options.disturbance->supply_time_s, period_s_,
                       options.disturbance->seed * 2 + 1);
     drive_ = {.torque_on = held_.has_value() || log.torque_on[0] != 0,
-              .goal_rad = held_.value_or(log.goal_rad[0]),
+              .goal_rad = goal_rad_,
               .speed_limit_rad_s =
                   log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity(),
               .torque_limit = 1,
@@ -58,7 +62,12 @@ class Run {
         command(row);
         advanceTo(time_s + log_.read_s[row] + phase_s_);
         trace[kPositionSignal][row] = registered_rad_;
+      } else if (is_written_between_) {
+        commandBefore(row);
+        advanceTo(time_s + phase_s_);
+        trace[kPositionSignal][row] = registeredAt(time_s);
       } else {
+        if (given_.goal_order == GoalOrder::kBeforeRead && row > 0) command(row);
         advanceTo(time_s);
         const double since_s = time_s - static_cast<double>(periods_) * period_s_;
         trace[kPositionSignal][row] = bench_.encoder_rad() + bench_.velocity_rad_s() * since_s;
@@ -66,11 +75,7 @@ class Run {
       trace[kSpeedSignal][row] = bench_.velocity_rad_s();
       trace[kLoadSignal][row] = loadNow();
       trace[kSupplySignal][row] = bench_.servo().signals().supply_v;
-      if (log_.isReadAfterWrite()) continue;
-      if (given_.goal_order == GoalOrder::kAfterRead)
-        command(row);
-      else if (row + 1 < rows)
-        command(row + 1);
+      if (!log_.isReadAfterWrite() && given_.goal_order == GoalOrder::kAfterRead) command(row);
     }
   }
 
@@ -110,6 +115,7 @@ class Run {
   /// Periods of a fine firmware that are simulated as one: the most that end with every row of the log.
   static int foldedPeriods(const Trajectory& log, const Hypothesis& hypothesis) {
     if (hypothesis.has(twin::StepDemand::kEveryPeriod) || log.isReadAfterWrite()) return 1;
+    if (isWrittenBetween(log, hypothesis)) return 1;
     constexpr double kRounding = 1e-3;  // of a period; times in a log are rounded decimals
     const double period_s = hypothesis.servo.firmware_period_s;
     int most = static_cast<int>(thresholds::kLongestFold / period_s + kRounding);
@@ -125,8 +131,9 @@ class Run {
 
   /// By what share of a period the firmware is ahead of the rows: a firmware that runs on its own is as old as its
   /// period when it is read, by chance.
-  static double phaseOf(const Trajectory& log, const RollOutOptions& options) {
-    if (!log.isReadAfterWrite() || log.is_phase_known) return 0;
+  static double phaseOf(const Trajectory& log, const Hypothesis& hypothesis, const RollOutOptions& options) {
+    if (isWrittenBetween(log, hypothesis) && options.disturbance == nullptr) return 0;  // the mean: shareOfGoal()
+    if (log.is_phase_known && !isWrittenBetween(log, hypothesis)) return 0;
     return options.disturbance == nullptr ? kMeanPhase : Rng{splitMix(options.disturbance->seed)}.uniform();
   }
 
@@ -153,11 +160,28 @@ class Run {
     load_before_ = bench_.servo().report().load;
     registered_rad_ = bench_.encoder_rad();
     if (ripple_) drive_.supply_v = nominal_v_ + ripple_->next();
+    const double share = shareOfGoal(static_cast<double>(periods_ + 1) * period_s_, written_s_, period_s_);
+    drive_.goal_rad = share < 1 ? std::lerp(goal_before_rad_, goal_rad_, share) : goal_rad_;
     bench_.step(drive_);
   }
 
+  void commandBefore(std::size_t row) {
+    const double written_s = writtenAt(log_, row, written_before_s_);
+    advanceTo(written_s + phase_s_);
+    goal_before_rad_ = goal_rad_;
+    if (options_.disturbance == nullptr) written_s_ = written_s;
+    command(row);
+  }
+
+  // Read from one firmware of the many: what it registered a period ago. Of all of them: their mean.
+  [[nodiscard]] double registeredAt(double time_s) const {
+    if (options_.disturbance != nullptr) return registered_rad_;
+    const double since = time_s / period_s_ - static_cast<double>(periods_);
+    return std::lerp(registered_rad_, bench_.encoder_rad(), since);
+  }
+
   void command(std::size_t row) {
-    drive_.goal_rad = log_.goal_rad[row];
+    goal_rad_ = log_.goal_rad[row];
     drive_.torque_on = log_.torque_on[row] != 0;
     temperature_c_ = temperatureOf(log_, row);
   }
@@ -182,7 +206,11 @@ class Run {
   const RollOutOptions options_;
   const std::optional<double> held_;  // goal before the first row
   const int folded_;                  // periods of the firmware in one of the simulation
-  const double period_s_, phase_s_, nominal_v_;
+  const double period_s_;
+  const bool is_written_between_;
+  const double phase_s_, nominal_v_, written_before_s_;
+  double goal_rad_, goal_before_rad_ = 0;  // written last, and before that
+  double written_s_ = -std::numeric_limits<double>::infinity();
   double temperature_c_;
   twin::Bench bench_;
   std::optional<GaussMarkov> ripple_;
