@@ -77,8 +77,8 @@ inline constexpr const char* kOfBam = "is for BAM's logs; declare the numbers of
 inline constexpr const char* kNotKeyValue = "is not KEY=VALUE, as in --declare kp=32";
 inline constexpr const char* kSeveralValues = "has several values; cut the log where it changes";
 inline constexpr const char* kBamOrder =
-    "goals count as written right after the read of the row before; BAM's recorder writes them later, which then looks "
-    "like a delay of less than a row: --declare written_before_s=0.003 if it was 3 ms before the read";
+    "BAM's logs do not say when a goal was written between two reads: every fit finds the time; if it is known, 3 ms "
+    "before the read: --declare written_before_s=0.003";
 inline constexpr const char* kHasWriteTimes = "has written_s and read_s itself; take the declaration away";
 inline constexpr const char* kBeyondItsRow = "rows are %.1f ms apart; give seconds, more than 0 and less than that";
 inline constexpr const char* kOfBeforeRead =

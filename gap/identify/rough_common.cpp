@@ -50,6 +50,10 @@ double leastRoughGain(const twin::EffectInfo& effect) {
   return isCommon(effect) ? thresholds::kCommonEffectGain : thresholds::kRareEffectGain;
 }
 
+bool isNeedless(const twin::EffectInfo& effect, const FittedModel& with, const FittedModel& less) {
+  return less.fit.cost - with.fit.cost < leastRoughGain(effect);
+}
+
 FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from) {
   Evidence evidence{.plant = from.evidence->plant,
                     .given = from.evidence->given,
@@ -104,7 +108,7 @@ FittedModel RoughSelection::fitFromStarts(const Effects& effects, const FittedMo
 void RoughSelection::dropNeedless() {
   for (std::size_t i = 0; i < model_.effects.size();) {
     const FittedModel less = refitWithout(model_, i);
-    if (less.fit.cost - model_.fit.cost < leastRoughGain(*model_.effects[i].info))
+    if (isNeedless(*model_.effects[i].info, model_, less))
       model_ = refitWithDiscrepancy(less.effects, less);
     else
       ++i;

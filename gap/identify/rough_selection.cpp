@@ -58,9 +58,25 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(const std::v
 // What some left-out logs ask for and others refuse is decided by logs that are not there: full duty, another gain.
 void RoughSelection::noteRivals(const std::vector<Tested>& tested, const Tested* best) {
   rivals_.clear();
-  for (const Tested& other : tested)
-    if (&other != best && (best == nullptr || !crossValidate(other.errors, best->errors, floor_rad_).improves()))
-      rivals_.push_back({idsOf(other.model->effects), 0, false});
+  for (const Tested& other : tested) {
+    if (&other == best || (best != nullptr && crossValidate(other.errors, best->errors, floor_rad_).improves()))
+      continue;
+    const Effects& effects = other.model->effects;
+    rivals_.push_back({idsOf(best == nullptr ? effects : neededOf(*other.model, best->model->effects)), 0, false});
+  }
+}
+
+// A rival is to differ from what was found by what decides, not by a friction that matters to neither.
+Effects RoughSelection::neededOf(const FittedModel& rival, const Effects& offered) const {
+  std::optional<FittedModel> refitted;
+  Effects needed;
+  for (std::size_t i = 0; i < rival.effects.size(); ++i) {
+    const ChosenEffect& effect = rival.effects[i];
+    const bool was_dropped = has(offered, *effect.info) && !has(model_.effects, *effect.info);
+    if (was_dropped && !refitted) refitted = refitWithDiscrepancy(rival.effects, rival);
+    if (!was_dropped || !isNeedless(*effect.info, *refitted, refitWithout(*refitted, i))) needed.push_back(effect);
+  }
+  return needed;
 }
 
 /// The held-out logs contradict the fitted ones: then neither decides.

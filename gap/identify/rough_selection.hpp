@@ -16,6 +16,8 @@ FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from
 
 /// Cost that an effect has to remove to stay.
 double leastRoughGain(const twin::EffectInfo& effect);
+/// Less is removed by `with`, which has the effect, as against `less`.
+bool isNeedless(const twin::EffectInfo& effect, const FittedModel& with, const FittedModel& less);
 
 /// The remaining model discrepancy counts as noise (gap/fit/discrepancy.hpp). The effects that every servo has are
 /// fitted together, since each alone stands in for the others; then rarer effects one by one.
@@ -44,6 +46,9 @@ class RoughSelection {
   [[nodiscard]] std::vector<Tested> testRareEffects(const std::vector<FittedModel>& candidates);
   /// Those of `tested` that predict the logs neither better nor worse than `best`, null: than the present model.
   void noteRivals(const std::vector<Tested>& tested, const Tested* best);
+  /// Effects of a rival, less those that are as needless there as beside the effect that was accepted. `offered`: the
+  /// effects of the accepted model, before.
+  [[nodiscard]] Effects neededOf(const FittedModel& rival, const Effects& offered) const;
   /// Of the effects that these logs cannot show: the doubles that predict the logs as well in their place.
   void noteDoubles();
   [[nodiscard]] bool predictsAsWell(const FittedModel& other, const std::vector<double>& errors) const;

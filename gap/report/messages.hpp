@@ -34,6 +34,10 @@ inline constexpr const char* kTooFewLogs =
     "These logs differ from the model, but a roughly known motor needs three fitted logs, repeats counted once, to say "
     "why.";
 inline constexpr const char* kRemainder = "; a remainder is left that no further effect was found to explain.";
+inline constexpr const char* kWriteTime =
+    "Goals were written %s ms before the read of their row: fitted, as no log says it. A delay below one row would "
+    "look "
+    "the same.";
 inline constexpr const char* kWidened = "The intervals are widened by the remainder.";
 inline constexpr const char* kExplained =
     "Fitted to these logs, which it explains down to the noise; the others have the remainder: ";

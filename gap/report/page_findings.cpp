@@ -94,11 +94,13 @@ std::string conflictsText(const Identification& identification) {
 std::string benchText(const Report& report) {
   const Hypothesis& model = report.outcome->identification.model;
   const double length = model.pendulum.length_m / report.given->pendulum.length_m;
-  if (model.payload_scale == 1 && length == 1) return "";
-  return wrap("p", "The fit also moved the arm of case.json, within its priors: payload times " +
-                       html::number(model.payload_scale, text::fixedText(model.payload_scale, 4)) + ", length times " +
-                       html::number(length, text::fixedText(length, 4)) +
-                       ". That belongs to the bench, so it is not in the model file.");
+  const std::string write_time = writeTimeSentence(*report.given, report.outcome->identification);
+  const std::string host = write_time.empty() ? "" : element("p", write_time);
+  if (model.payload_scale == 1 && length == 1) return host;
+  return host + wrap("p", "The fit also moved the arm of case.json, within its priors: payload times " +
+                              html::number(model.payload_scale, text::fixedText(model.payload_scale, 4)) +
+                              ", length times " + html::number(length, text::fixedText(length, 4)) +
+                              ". That belongs to the bench, so it is not in the model file.");
 }
 
 /// Zooms the curve there.

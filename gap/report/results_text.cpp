@@ -137,7 +137,8 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
   std::string text = "case " + given.name + ": " + std::string{nameOf(identification.verdict)} + "\n";
   for (const std::string& sentence : verdictSentences(outcome, comparison)) text += inLines(sentence);
   if (!outcome.remainder.empty()) text += inLines(outcome.remainder);
-  for (const std::string& sentence : {intervalSentence(identification), triedSentence(identification)})
+  for (const std::string& sentence :
+       {intervalSentence(identification), triedSentence(identification), writeTimeSentence(given, identification)})
     if (!sentence.empty()) text += inLines(sentence);
   for (const Contradiction& found : contradictionsOf(given)) text += inLines(asSentence(found));
   text += "\n" + whereText(outcome.localization) + whatText(identification) + rivalText(identification) +

@@ -7,6 +7,7 @@
 #include "core/text/joined.hpp"
 #include "core/text/number_text.hpp"
 #include "gap/plant/position_error.hpp"
+#include "gap/plant/write_instant.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "gap/thresholds.hpp"
@@ -193,6 +194,11 @@ std::string intervalSentence(const Identification& identification) {
   if (!identification.remains) return "";
   if (identification.explained.empty()) return messages::kWidened;
   return messages::kExplained + text::joined(identification.explained, ", ") + ".";
+}
+
+std::string writeTimeSentence(const Case& given, const Identification& identification) {
+  if (longestWriteTime(given) == 0) return "";
+  return text::formatted(messages::kWriteTime, text::fixedText(1e3 * identification.model.written_before_s, 1).c_str());
 }
 
 std::string triedSentence(const Identification& identification) {

@@ -19,6 +19,8 @@ std::string rejectionSentence(const RejectedEffect& rejected);
 
 /// What a remainder means for the intervals: they are widened, or of these logs alone. Empty: there is none.
 std::string intervalSentence(const Identification& identification);
+/// When goals were written, where the fit had to find it; empty: the case knows.
+std::string writeTimeSentence(const Case& given, const Identification& identification);
 /// The effects that were tried and withdrawn, with their values; empty: none.
 std::string triedSentence(const Identification& identification);
 

@@ -13,6 +13,7 @@
 #include "gap/parallel/parallel.hpp"
 #include "gap/plant/position_error.hpp"
 #include "gap/plant/row_state.hpp"
+#include "gap/plant/write_instant.hpp"
 #include "gap/small_case.hpp"
 
 namespace darwinop::gap {
@@ -35,8 +36,52 @@ TEST(RollOut, AGoalWrittenBeforeTheReadActsOneRowEarlier) {
   bench.logs[0].position_rad.assign(bench.logs[0].rows(), 0);
   const std::size_t after = firstRowBeyond(traceOf(bench, 0, baselineOf(bench))[kLoadSignal], 0.1);
   bench.goal_order = GoalOrder::kBeforeRead;
-  const std::size_t before = firstRowBeyond(traceOf(bench, 0, baselineOf(bench))[kLoadSignal], 0.1);
+  Hypothesis model = baselineOf(bench);
+  model.written_before_s = kRow;
+  const std::size_t before = firstRowBeyond(traceOf(bench, 0, model)[kLoadSignal], 0.1);
   EXPECT_EQ(after, before + 1);
+}
+
+TEST(RollOut, AWriteBetweenTwoReadsMovesTheAnswerBySmallSteps) {
+  Case bench = smallBench();
+  bench.logs[1].position_rad = bench.logs[1].goal_rad;
+  bench.goal_order = GoalOrder::kBeforeRead;
+  Hypothesis model = baselineOf(bench);
+  EXPECT_NEAR(model.written_before_s, kRow / 2, 1e-9) << "nothing is known";
+  const auto positionAt = [&](double before_s) {
+    model.written_before_s = before_s;
+    return traceOf(bench, 1, model)[kPositionSignal][100];  // on its way, at 0.9 rad/s
+  };
+  constexpr double kStep = 0.00025;  // s, a quarter of the firmware's period
+  for (double before_s = 0.001; before_s < 0.014; before_s += kStep)
+    EXPECT_NEAR(positionAt(before_s + kStep) - positionAt(before_s), 0.9 * kStep, 0.2 * 0.9 * kStep) << before_s;
+}
+
+TEST(RollOut, ServosReadAtAnyPhaseAreOnAverageWhereTheirMeanIs) {
+  Case bench = smallBench();
+  bench.logs[1].position_rad = bench.logs[1].goal_rad;
+  bench.goal_order = GoalOrder::kBeforeRead;
+  const Hypothesis model = baselineOf(bench);
+  const std::vector<double> mean = traceOf(bench, 1, model)[kPositionSignal];
+  constexpr std::size_t kServos = 400, kFirst = 60;  // rows; the arm is on its way
+  std::vector<double> apart(mean.size());
+  for (std::size_t servo = 0; servo < kServos; ++servo) {
+    const Disturbance rounding{.seed = 40 + servo, .torque_nm = 0, .supply_v = 0, .encoder_ticks = 0.5};
+    const std::vector<double> position = traceOf(bench, 1, model, &rounding)[kPositionSignal];
+    for (std::size_t row = kFirst; row < mean.size(); ++row) apart[row] += (position[row] - mean[row]) / kServos;
+  }
+  // Half a period of 1 ms at 0.9 rad/s is 0.45 mrad.
+  const double sum = std::accumulate(apart.begin() + kFirst, apart.begin() + 2 * kFirst, 0.0);
+  EXPECT_NEAR(sum / kFirst, 0, 3e-5);
+}
+
+TEST(WrittenAt, IsNeverBeforeTheReadOfTheRowBefore) {
+  Trajectory log;
+  log.time_s = {1, 1.005, 1.03};
+  EXPECT_DOUBLE_EQ(writtenAt(log, 0, 0.01), 0);
+  EXPECT_DOUBLE_EQ(writtenAt(log, 1, 0.01), 0) << "a row that came early";
+  EXPECT_NEAR(writtenAt(log, 2, 0.01), 0.02, 1e-12) << "a host that paused, paused before it wrote";
+  EXPECT_NEAR(writtenAt(log, 2, std::numeric_limits<double>::infinity()), 0.005, 1e-12);
 }
 
 TEST(StateAt, RowsThatAreFarApartHaveASpeed) {

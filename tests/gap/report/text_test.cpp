@@ -81,6 +81,17 @@ TEST(Summary, SaysWhatARemainderDoesToTheIntervals) {
   EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(messages::kRemainder)) << "beside an ambiguous set as well";
 }
 
+TEST(Summary, SaysWhenGoalsWereWrittenWhereTheFitHadToFindIt) {
+  ReportRig rig;
+  EXPECT_THAT(asText(rig.report), Not(HasSubstr("written")));
+  EXPECT_FALSE(asJson(rig.given, rig.outcome)["bench"].contains("written_before_s"));
+  rig.given.goal_order = GoalOrder::kBeforeRead;
+  rig.outcome.identification.model.written_before_s = 0.00257;
+  for (const std::string& text : {inOneLine(asText(rig.report)), asHtml(rig.report)})
+    EXPECT_THAT(text, HasSubstr("written 2.6 ms before the read"));
+  EXPECT_EQ(asJson(rig.given, rig.outcome)["bench"]["written_before_s"], 0.00257);
+}
+
 TEST(Summary, NamesTheExperimentForEachEffectThatIsUndecided) {
   ReportRig rig;
   Identification& identification = rig.outcome.identification;
