@@ -289,7 +289,8 @@ inline constexpr double kPlantRemainderShare = 0.1;
 
 /// s since the goal moved after which a profile has arrived.
 inline constexpr double kGoalAtRest = 0.5;
-/// Shares of the cost beyond noise: less explains nothing; more explains all; less at rest is none. No evidence yet.
+/// Shares of the cost beyond noise: less explains nothing; more explains all; of the mean, less at
+/// rest is none. No evidence yet.
 inline constexpr double kSplitExplains = 0.15, kSplitExplainsAll = 0.9, kSplitRestIsNone = 0.1;
 
 // ---- Intervals, regions, remainder (gap/localize/intervals.cpp, interval_scan.cpp, regions.cpp, remains.cpp) ----

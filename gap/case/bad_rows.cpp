@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "gap/case/chain.hpp"
 #include "gap/case/column_bounds.hpp"
@@ -115,6 +116,32 @@ void maskVoltages(Trajectory& log, const PhysicalLimits& limits) {
   maskIfFew(log, columnBounds()[kVolt], outside, messages::kMaskedSupply);
 }
 
+/// True: with other goals, or torque on or off, around this row, a duty may have jumped there and come back.
+bool mayJumpAt(const Trajectory& log, std::size_t row, double duty_per_rad, double jump) {
+  const std::size_t from = row < 2 ? 0 : row - 2;
+  double low = log.goal_rad[from], high = low;
+  for (std::size_t i = from; i <= row + 1; ++i) {
+    if (log.torque_on[i] != log.torque_on[from]) return true;
+    low = std::min(low, log.goal_rad[i]), high = std::max(high, log.goal_rad[i]);
+  }
+  return duty_per_rad * (high - low) > jump / 2;
+}
+
+/// The duty of a position controller follows its error, which no arm throws to and fro within two rows.
+void maskLoneLoads(Trajectory& log, const twin::ServoParameters& servo) {
+  constexpr double kJump = 0.5, kBack = 0.1;  // of the full duty
+  if (servo.law != twin::Law::kVoltageP) return;
+  std::vector<std::size_t> lone;
+  for (std::size_t row = 1; row + 1 < log.rows(); ++row) {
+    const double before = log.load[row - 1], after = log.load[row + 1];
+    const bool jumps =
+        std::abs(after - before) <= kBack && std::abs(log.load[row] - std::midpoint(before, after)) >= kJump;
+    const double duty_per_rad = servo.duty_per_kp_per_rad * log.pRegisterAt(row);
+    if (jumps && !mayJumpAt(log, row, duty_per_rad, kJump)) lone.push_back(row);
+  }
+  maskIfFew(log, columnBounds()[kLoad], lone, messages::kMaskedLoad);
+}
+
 void maskSpeeds(Trajectory& log, const PhysicalLimits& limits) {
   std::vector<std::size_t> outside;
   for (std::size_t row = 0; row < log.rows(); ++row)
@@ -132,6 +159,7 @@ void maskBadRows(Trajectory& log, const std::string& file, const Case& c) {
   maskPositionsOffTheChain(log, limits, periodOf(log));
   maskLonePositions(log, limits);
   maskSpeeds(log, limits);
+  maskLoneLoads(log, c.model.servo);
   maskVoltages(log, limits);
   maskTemperatures(log, limits);
   refuseManyMasked(log, file);

@@ -24,7 +24,7 @@ struct ColumnBounds {
 };
 
 std::span<const ColumnBounds> columnBounds();
-inline constexpr std::size_t kPos = 0, kSpeed = 1, kVolt = 3, kTemp = 4;  // in columnBounds()
+inline constexpr std::size_t kPos = 0, kSpeed = 1, kLoad = 2, kVolt = 3, kTemp = 4;  // in columnBounds()
 
 /// At most kMostMasked.
 bool areFew(std::size_t some, std::size_t all);

@@ -109,6 +109,7 @@ inline constexpr const char* kMaskedHeat = "no servo warms or cools so fast";
 inline constexpr const char* kMaskedJump = "they jump and come back faster than servo and arm can";
 inline constexpr const char* kMaskedMissing = "they are empty";
 inline constexpr const char* kMaskedRange = "they are outside the range of a servo";
+inline constexpr const char* kMaskedLoad = "they jump and come back while the goal stays";
 inline constexpr const char* kMaskedStale = "registers are those of the row before, though the joint moves on";
 inline constexpr const char* kMaskedSupply = "no current brings the supply there";
 inline constexpr const char* kNoEncoding = "has raw counts and no encoding";

@@ -93,13 +93,20 @@ void BlockFinder::supply() {
     spread += std::pow(plant_.supplyResistance(plant_.places().front(), given_, copied, baseline_), 2) /
               static_cast<double>(copies_.size());
   }
+  // The current is computed with numbers of the motor, which are no better known than their priors.
+  double by_priors = 0;
+  for (const Unknown& number : numbers_) {
+    const double moved = number.toSearch(number.expected + number.sigma);
+    const Hypothesis other = applied(baseline_, {number}, &moved);
+    by_priors += std::pow(plant_.supplyResistance(plant_.places().front(), given_, measured, other) - slope, 2);
+  }
   out_.supply_ohm = slope;
-  out_.supply_ohm_sigma = std::sqrt(spread);
+  out_.supply_ohm_sigma = std::sqrt(spread + by_priors);
   if (std::isnan(slope)) return;
   char text[80];
   std::snprintf(text, sizeof text, "%.2f +- %.2f ohm", slope, out_.supply_ohm_sigma);
   into.detail = text;
-  into.significance = std::max(into.significance, std::abs(slope) / out_.supply_ohm_sigma);
+  into.significance = std::max(into.significance, std::abs(slope) / std::sqrt(spread));
   if (into.significance > thresholds::kOpenSigmas) into.verdict = BlockVerdict::kOpen;
 }
 

@@ -112,8 +112,8 @@ void BlockFinder::share(const CommandSplit& split, bool open) {
     return;
   }
   const std::string formatted = "a slower or later goal explains " + percent(split.by_command.share) + ", the law " +
-                                percent(split.by_controller.share) + "; " + percent(split.at_rest) +
-                                " with the goal at rest";
+                                percent(split.by_controller.share) + "; with the goal at rest a sample has " +
+                                percent(split.at_rest) + " of the mean";
   controller.detail = formatted;
   if (!split.isCommand()) {
     command.detail = "not to be cut from the controller, which explains more";

@@ -135,14 +135,14 @@ Explained explain(const BlockResidualFunction& cut, const Case& given, const std
   double share = 0;
   for (int changes = 0; changes < 2 && share < thresholds::kSplitExplainsAll; ++changes) {
     least = leastOf(cut, given, logs, judged, least, triesOf(effects, least.hypothesis));
-    share = (before - least.cost) / beyond_noise;
+    share = std::min(1.0, (before - least.cost) / beyond_noise);
   }
   return {share, least.hypothesis};
 }
 
-/// Share of the cost beyond noise while the goal has stood for a while.
+/// Cost beyond noise of a sample whose goal has stood for a while, as a share of that of any sample: sweeps hardly rest.
 double shareAtRest(const Case& given, const std::vector<std::size_t>& logs, const BlockTest& judged) {
-  double rest = 0, all = 0;
+  double rest = 0, all = 0, resting_samples = 0, samples_in_all = 0;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     const Trajectory& log = given.logs[logs[i]];
     const BlockResiduals& samples = judged.samples[i];
@@ -152,11 +152,11 @@ double shareAtRest(const Case& given, const std::vector<std::size_t>& logs, cons
       std::size_t since = row;
       while (since > 0 && log.goal_rad[since - 1] == log.goal_rad[row] && log.torque_on[since - 1] != 0) --since;
       const double excess = costOf(samples.z[k]) - 1;
-      all += excess;
-      if (log.time_s[row] - log.time_s[since] > thresholds::kGoalAtRest) rest += excess;
+      all += excess, ++samples_in_all;
+      if (log.time_s[row] - log.time_s[since] > thresholds::kGoalAtRest) rest += excess, ++resting_samples;
     }
   }
-  return all > 0 ? rest / all : 0;
+  return all > 0 && rest > 0 ? (rest / resting_samples) / (all / samples_in_all) : 0;
 }
 
 }  // namespace

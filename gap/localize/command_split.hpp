@@ -15,7 +15,7 @@ struct Explained {
 
 struct CommandSplit {
   Explained by_command, by_controller;
-  double at_rest = 0;  // share of that cost while the goal is at rest: a motion profile leaves none there
+  double at_rest = 0;  // that cost of a sample whose goal is at rest, of the mean: a motion profile leaves none there
   [[nodiscard]] bool isCommand() const;
   [[nodiscard]] const Explained& best() const { return isCommand() ? by_command : by_controller; }
 };

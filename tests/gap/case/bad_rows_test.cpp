@@ -54,6 +54,16 @@ TEST(BadRows, AJumpThatAnAccelerationCannotMakeIsMasked) {
   EXPECT_EQ(maskedIn(changed([](auto& rows) { rows[100].pos += 0.01; })), Masked{});
 }
 
+TEST(BadRows, ALoadThatJumpsAndComesBackIsMaskedWhereTheGoalStays) {
+  EXPECT_EQ(maskedIn(changed([](auto& rows) { rows[100].load = -100; })), (Masked{{"load", 1}}));
+  const auto goal_moves = [](auto& rows) { rows[99].goal += 0.2, rows[100].load += 100; };
+  EXPECT_EQ(maskedIn(changed(goal_moves, 0.1)), Masked{}) << "a command of one row";
+  const auto longer = [](auto& rows) {
+    for (int i = 100; i < 103; ++i) rows[i].load = -100;
+  };
+  EXPECT_EQ(maskedIn(changed(longer, 0.1)), Masked{}) << "three rows are an event";
+}
+
 TEST(BadRows, ARunOfFalsePositionsIsMaskedAlsoAtTheBegin) {
   EXPECT_EQ(maskedIn(changed([](auto& rows) {
               for (int i = 100; i < 104; ++i) rows[i].pos = -kPi;
