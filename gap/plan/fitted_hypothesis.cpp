@@ -89,9 +89,11 @@ FittedHypothesis fitted(const Study& study, const std::vector<const twin::Effect
     problem = std::move(with);
     x = solve(problem, x, {.iterations = thresholds::kPlannedFitIterations, .refine = false}).x;
   }
-  // Fitted again under the noise of the fitted model.
+  // Fitted again under the noise of the fitted model; what it leaves of a servo that nobody measured counts as noise.
   NoiseOptions options;
   options.runs = thresholds::kNoiseRuns;
+  if (isRoughlyKnown(study.data))
+    options.discrepancy = discrepancyOf(study.plant, study.data, evidence.logs, problem.at(x));
   const Evidence own = evidenceOf(study.plant, study.data, problem.at(x), LogRole::kFit, options);
   const Problem final_problem = problemWith(study, own, effects, Nuisance::kFree);
   const Fit fit = solve(final_problem, x);
@@ -100,7 +102,8 @@ FittedHypothesis fitted(const Study& study, const std::vector<const twin::Effect
                           .unknowns = final_problem.unknowns(),
                           .x = fit.x,
                           .information = {},
-                          .cost = fit.cost};
+                          .cost = fit.cost,
+                          .discrepancy = options.discrepancy};
   for (const twin::EffectInfo* const effect : set)
     result.name += (result.name.empty() ? "" : " + ") + std::string{effect->id};
   if (set.empty()) result.name = kNothing;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gap/fit/discrepancy.hpp"
 #include "gap/fit/unknown.hpp"
 
 namespace darwinop::gap {
@@ -14,9 +15,10 @@ struct FittedHypothesis {
   std::string name;       // "backlash", "coulomb + viscous"
   Hypothesis hypothesis;  // before the unknowns are put in
   std::vector<Unknown> unknowns;
-  Eigen::VectorXd x;            // search variables, as the logs of the case have them
-  Eigen::MatrixXd information;  // inverse of the covariance of x: logs, priors, and that a number stays in its range
-  double cost = 0;              // of the fit
+  Eigen::VectorXd x;             // search variables, as the logs of the case have them
+  Eigen::MatrixXd information;   // inverse of the covariance of x: logs, priors, and that a number stays in its range
+  double cost = 0;               // of the fit
+  Discrepancy discrepancy = {};  // what it leaves on the logs of a roughly known servo, and will on others
 
   [[nodiscard]] Hypothesis at(const Eigen::VectorXd& where) const {
     return applied(hypothesis, unknowns, where.data());

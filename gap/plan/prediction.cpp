@@ -27,6 +27,15 @@ std::vector<Trace> tracesOf(const Case& coming, const Hypothesis& hypothesis) {
   return traces;
 }
 
+/// What a model leaves on some logs, expected of as many others as there are.
+Discrepancy elsewhere(Discrepancy left, std::size_t logs) {
+  double squares = 0, fitted = 0;
+  for (const double load : left.load)
+    if (load > 0) squares += load * load, ++fitted;
+  left.load.assign(logs, fitted > 0 ? std::sqrt(squares / fitted) : 0);
+  return left;
+}
+
 /// Of all logs in units of `noise`: `actual` minus `predicted`.
 Eigen::VectorXd residualsOf(const Case& coming, const std::vector<LogNoise>& noise, const std::vector<Trace>& actual,
                             const std::vector<Trace>& predicted) {
@@ -105,6 +114,7 @@ Prediction predict(const Case& coming, const FittedHypothesis& hypothesis, int n
   for (std::size_t i = 0; i < logs.size(); ++i) logs[i] = i;
   NoiseOptions options;
   options.runs = noise_runs;
+  options.discrepancy = elsewhere(hypothesis.discrepancy, coming.logs.size());
   Case recorded = coming;  // every row of it, and from where it begins
   for (Trajectory& log : recorded.logs) {
     std::ranges::fill(log.position_rad, log.position_rad.front());

@@ -16,8 +16,8 @@ double longestWriteTime(const Case& given) {
   return least < std::numeric_limits<double>::infinity() ? least : 0;
 }
 
-bool isWrittenBetween(const Trajectory& log, const Hypothesis& hypothesis) {
-  return !log.isReadAfterWrite() && std::isfinite(hypothesis.written_before_s);
+bool isWrittenBetween(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
+  return given.goal_order == GoalOrder::kBeforeRead && !log.isReadAfterWrite() && std::isfinite(hypothesis.written_before_s);
 }
 
 double writtenAt(const Trajectory& log, std::size_t row, double written_before_s) {

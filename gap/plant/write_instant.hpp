@@ -14,7 +14,7 @@ struct WriteTime {
 double longestWriteTime(const Case& given);
 
 /// Goals of this log are written at some time between two rows.
-bool isWrittenBetween(const Trajectory& log, const Hypothesis& hypothesis);
+bool isWrittenBetween(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);
 
 /// When the goals of this row were written, s after row 0: never before the read of the row before.
 double writtenAt(const Trajectory& log, std::size_t row, double written_before_s);

@@ -143,11 +143,14 @@ std::vector<const twin::EffectInfo*> undecidedEffects(const Identification& iden
           return std::ranges::find(rival.effects, found.effect->id) == rival.effects.end();
         }))
       add(found.effect);
-  for (const Rival& rival : close)
-    for (const std::string& id : rival.effects)
-      if (std::ranges::find(identification.effects, id, [](const auto& one) { return one.effect->id; }) ==
-          identification.effects.end())
-        add(twin::findEffect(id));
+  const auto addNew = [&](const std::string& id) {
+    if (std::ranges::find(identification.effects, id, [](const auto& one) { return one.effect->id; }) ==
+        identification.effects.end())
+      add(twin::findEffect(id));
+  };
+  // What makes it a rival is its last effect; others came along with that.
+  for (const Rival& rival : close) addNew(rival.effects.back());
+  for (const Rival& rival : close) std::ranges::for_each(rival.effects, addNew);
   return undecided;
 }
 

@@ -29,10 +29,10 @@ class Run {
         log_{log},
         options_{options},
         held_{heldBefore(log, given.goal_order)},
-        folded_{options.steps_per_period > 0 ? 1 : foldedPeriods(log, hypothesis)},
+        is_written_between_{isWrittenBetween(given, log, hypothesis)},
+        folded_{options.steps_per_period > 0 || is_written_between_ ? 1 : foldedPeriods(log, hypothesis)},
         period_s_{folded_ * hypothesis.servo.firmware_period_s},
-        is_written_between_{isWrittenBetween(log, hypothesis)},
-        phase_s_{phaseOf(log, hypothesis, options) * period_s_},
+        phase_s_{phaseOf(log, is_written_between_, options) * period_s_},
         nominal_v_{supplyOf(given, log, hypothesis)},
         written_before_s_{hypothesis.written_before_s},
         goal_rad_{held_.value_or(log.goal_rad[0])},
@@ -115,7 +115,6 @@ class Run {
   /// Periods of a fine firmware that are simulated as one: the most that end with every row of the log.
   static int foldedPeriods(const Trajectory& log, const Hypothesis& hypothesis) {
     if (hypothesis.has(twin::StepDemand::kEveryPeriod) || log.isReadAfterWrite()) return 1;
-    if (isWrittenBetween(log, hypothesis)) return 1;
     constexpr double kRounding = 1e-3;  // of a period; times in a log are rounded decimals
     const double period_s = hypothesis.servo.firmware_period_s;
     int most = static_cast<int>(thresholds::kLongestFold / period_s + kRounding);
@@ -131,9 +130,9 @@ class Run {
 
   /// By what share of a period the firmware is ahead of the rows: a firmware that runs on its own is as old as its
   /// period when it is read, by chance.
-  static double phaseOf(const Trajectory& log, const Hypothesis& hypothesis, const RollOutOptions& options) {
-    if (isWrittenBetween(log, hypothesis) && options.disturbance == nullptr) return 0;  // the mean: shareOfGoal()
-    if (log.is_phase_known && !isWrittenBetween(log, hypothesis)) return 0;
+  static double phaseOf(const Trajectory& log, bool is_written_between, const RollOutOptions& options) {
+    if (is_written_between && options.disturbance == nullptr) return 0;  // the mean: shareOfGoal()
+    if (log.is_phase_known && !is_written_between) return 0;
     return options.disturbance == nullptr ? kMeanPhase : Rng{splitMix(options.disturbance->seed)}.uniform();
   }
 
@@ -205,10 +204,9 @@ class Run {
   const Trajectory& log_;
   const RollOutOptions options_;
   const std::optional<double> held_;  // goal before the first row
-  const int folded_;                  // periods of the firmware in one of the simulation
-  const double period_s_;
   const bool is_written_between_;
-  const double phase_s_, nominal_v_, written_before_s_;
+  const int folded_;  // periods of the firmware in one of the simulation
+  const double period_s_, phase_s_, nominal_v_, written_before_s_;
   double goal_rad_, goal_before_rad_ = 0;  // written last, and before that
   double written_s_ = -std::numeric_limits<double>::infinity();
   double temperature_c_;

@@ -72,6 +72,19 @@ TEST(Ranking, WhatARefitAbsorbsSeparatesNothing) {
   EXPECT_LT(absorbed, 1);
 }
 
+TEST(Ranking, WhatBothModelsMissOfTheServoSeparatesNothing) {
+  const Case bench = smallBench();
+  FittedHypothesis friction = hypothesisWith(bench, "coulomb", "friction", 0.04, 1e-3);
+  FittedHypothesis other = hypothesisWith(bench, "coulomb", "friction", 0.042, 1e-3);
+  const auto separated = [&] {
+    return sigmaFor(rankedFor(friction, other, {"hold_from_both_sides"}), "hold_from_both_sides");
+  };
+  const double by_noise_alone = separated();
+  for (FittedHypothesis* const one : {&friction, &other})
+    one->discrepancy = {.position_rad = 0.02, .load = {0.1}, .correlation_s = 0.2};
+  EXPECT_LT(separated(), 0.2 * by_noise_alone);
+}
+
 TEST(Ranking, TheSameRoundTwiceGainsNoMorePerMinute) {
   const Case bench = smallBench();
   ExperimentCandidate once = named("hold_once"), twice = once;
