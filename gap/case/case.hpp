@@ -88,9 +88,9 @@ struct Case {
   std::optional<Joint> joint;  // of a robot, whose servo this is; none: of no robot, or not known
   GoalOrder goal_order = GoalOrder::kAfterRead;
   std::optional<double> written_before_s;  // of kBeforeRead: where a fit begins; none: in the middle of a row
-  bool quantised = true;    // the firmware sees its encoder in ticks
-  twin::Model model;        // baseline: servo and effects that are known to be there
-  twin::Pendulum pendulum;  // payload is each log's own
+  bool quantised = true;                   // the firmware sees its encoder in ticks
+  twin::Model model;                       // baseline: servo and effects that are known to be there
+  twin::Pendulum pendulum;                 // payload is each log's own
   std::vector<Prior> priors;
   std::optional<Datasheet> datasheet;
   std::vector<Trajectory> logs;

@@ -140,7 +140,8 @@ Explained explain(const BlockResidualFunction& cut, const Case& given, const std
   return {share, least.hypothesis};
 }
 
-/// Cost beyond noise of a sample whose goal has stood for a while, as a share of that of any sample: sweeps hardly rest.
+/// Cost beyond noise of a sample whose goal has stood for a while, as a share of that of any sample: sweeps hardly
+/// rest.
 double shareAtRest(const Case& given, const std::vector<std::size_t>& logs, const BlockTest& judged) {
   double rest = 0, all = 0, resting_samples = 0, samples_in_all = 0;
   for (std::size_t i = 0; i < logs.size(); ++i) {

@@ -17,7 +17,8 @@ double longestWriteTime(const Case& given) {
 }
 
 bool isWrittenBetween(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
-  return given.goal_order == GoalOrder::kBeforeRead && !log.isReadAfterWrite() && std::isfinite(hypothesis.written_before_s);
+  return given.goal_order == GoalOrder::kBeforeRead && !log.isReadAfterWrite() &&
+         std::isfinite(hypothesis.written_before_s);
 }
 
 double writtenAt(const Trajectory& log, std::size_t row, double written_before_s) {

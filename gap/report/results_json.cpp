@@ -5,8 +5,8 @@
 
 #include "gap/case/contradictions.hpp"
 #include "gap/identify/assessment.hpp"
-#include "gap/report/joint_numbers.hpp"
 #include "gap/plant/write_instant.hpp"
+#include "gap/report/joint_numbers.hpp"
 #include "gap/report/results.hpp"
 #include "gap/report/sentences.hpp"
 

@@ -101,11 +101,12 @@ class EyesInRealTime : public EyesOfARobot {
 
 // Counted from the first sight: the first picture of a software renderer takes seconds on a busy machine.
 TEST_F(EyesInRealTime, FollowTheBallOfARobotOnASerialLine) {
+  constexpr const char* kSight = "I see";
   startSeeingRobot();
   EXPECT_THAT(virtual_robot_->output(), HasSubstr("export LD_PRELOAD="));
   Program running{{program("darwinop-run"), "--robot", port(), DARWINOP_VISUAL_TRACKING}, file("run.txt")};
-  ASSERT_TRUE(running.says("I see the ball", seconds{30})) << running.output();
-  const std::size_t before = running.output().find("I see the ball");
+  ASSERT_TRUE(running.says(kSight, seconds{30})) << running.output();
+  const std::size_t before = running.output().find(kSight);
   const auto linesSince = [&] { return std::ranges::count(running.output().substr(before), '\n'); };
   for (int tries = 0; tries < 15 && linesSince() < 4; ++tries)  // the example prints a line a second
     EXPECT_FALSE(running.wait(seconds{1}).has_value()) << "it ended: " << running.output();
@@ -114,7 +115,7 @@ TEST_F(EyesInRealTime, FollowTheBallOfARobotOnASerialLine) {
   EXPECT_THAT(since, Not(HasSubstr("No ball"))) << "it lost the ball";
   running.kill(SIGINT);
   EXPECT_EQ(running.wait(seconds{20}), 0) << running.output();
-  EXPECT_THAT(running.output(), HasSubstr("The ball was in view"));
+  EXPECT_GT(percentIn(running.output()), 0) << running.output();
 }
 
 class WithATroubledCamera : public EyesInRealTime, public testing::WithParamInterface<const char*> {};

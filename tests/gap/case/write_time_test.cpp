@@ -49,7 +49,7 @@ TEST_F(WriteTime, IsNotInBamsFormatWhichHasEachGoalInItsRow) {
 
 TEST_F(WriteTime, IsLessThanARowAndOfGoalsBeforeTheRead) {
   EXPECT_THAT(refusalOf({"written_before_s=2.5"}), HasSubstr("rows are 12.5 ms apart"));
-  EXPECT_THAT(refusalOf({"written_before_s=0"}), HasSubstr("more than 0"));
+  EXPECT_THAT(refusalOf({"written_before_s=0"}), HasSubstr("rows are 12.5 ms apart"));
   EXPECT_THAT(refusalOf({"written_before_s=0.002", "goal_order=after_read"}), HasSubstr(messages::kOfBeforeRead));
 }
 
