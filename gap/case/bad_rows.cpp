@@ -124,7 +124,7 @@ bool mayJumpAt(const Trajectory& log, std::size_t row, double duty_per_rad, doub
     if (log.torque_on[i] != log.torque_on[from]) return true;
     low = std::min(low, log.goal_rad[i]), high = std::max(high, log.goal_rad[i]);
   }
-  return duty_per_rad * (high - low) > jump / 2;
+  return !(duty_per_rad * (high - low) <= jump / 2);  // of an unknown gain as well
 }
 
 /// The duty of a position controller follows its error, which no arm throws to and fro within two rows.
