@@ -143,14 +143,14 @@ std::vector<const twin::EffectInfo*> undecidedEffects(const Identification& iden
           return std::ranges::find(rival.effects, found.effect->id) == rival.effects.end();
         }))
       add(found.effect);
-  const auto addNew = [&](const std::string& id) {
+  const auto add_new = [&](const std::string& id) {
     if (std::ranges::find(identification.effects, id, [](const auto& one) { return one.effect->id; }) ==
         identification.effects.end())
       add(twin::findEffect(id));
   };
   // What makes it a rival is its last effect; others came along with that.
-  for (const Rival& rival : close) addNew(rival.effects.back());
-  for (const Rival& rival : close) std::ranges::for_each(rival.effects, addNew);
+  for (const Rival& rival : close) add_new(rival.effects.back());
+  for (const Rival& rival : close) std::ranges::for_each(rival.effects, add_new);
   return undecided;
 }
 

@@ -107,11 +107,11 @@ TEST_F(EyesInRealTime, FollowTheBallOfARobotOnASerialLine) {
   Program running{{program("darwinop-run"), "--robot", port(), DARWINOP_VISUAL_TRACKING}, file("run.txt")};
   ASSERT_TRUE(running.says(kSight, seconds{30})) << running.output();
   const std::size_t before = running.output().find(kSight);
-  const auto linesSince = [&] { return std::ranges::count(running.output().substr(before), '\n'); };
-  for (int tries = 0; tries < 15 && linesSince() < 4; ++tries)  // the example prints a line a second
+  const auto lines_since = [&] { return std::ranges::count(running.output().substr(before), '\n'); };
+  for (int tries = 0; tries < 15 && lines_since() < 4; ++tries)  // the example prints a line a second
     EXPECT_FALSE(running.wait(seconds{1}).has_value()) << "it ended: " << running.output();
   const std::string since = running.output().substr(before);
-  EXPECT_GE(linesSince(), 4) << since;
+  EXPECT_GE(lines_since(), 4) << since;
   EXPECT_THAT(since, Not(HasSubstr("No ball"))) << "it lost the ball";
   running.kill(SIGINT);
   EXPECT_EQ(running.wait(seconds{20}), 0) << running.output();

@@ -46,7 +46,7 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
   servo.reset(held.value_or(knownPosition(log, 0)), log.session_start_s);
   ServoDrive drive{.torque_limit = 1, .supply_v = supplyOf(given, log, hypothesis)};
   drive.speed_limit_rad_s = log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity();
-  const auto goalAt = [&](std::size_t commands) {
+  const auto goal_at = [&](std::size_t commands) {
     const double goal = log.goal_rad[commands];
     if (given.goal_order == GoalOrder::kAfterRead || commands == 0) return goal;
     const double end_s = static_cast<double>(run.periods() + 1) * run.period_s;
@@ -56,7 +56,7 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
   };
   const auto period = [&](std::size_t commands, double position, double velocity) {
     const bool is_before = run.duty.empty() && held && !log.isReadAfterWrite();
-    drive.goal_rad = is_before ? *held : goalAt(commands);
+    drive.goal_rad = is_before ? *held : goal_at(commands);
     drive.torque_on = is_before || log.torque_on[commands] != 0;
     drive.p_gain = log.pRegisterAt(commands) / kRegisterPerKp;
     temperature_c = temperatureOf(log, commands);

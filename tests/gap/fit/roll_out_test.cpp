@@ -48,13 +48,13 @@ TEST(RollOut, AWriteBetweenTwoReadsMovesTheAnswerBySmallSteps) {
   bench.goal_order = GoalOrder::kBeforeRead;
   Hypothesis model = baselineOf(bench);
   EXPECT_NEAR(model.written_before_s, kRow / 2, 1e-9) << "nothing is known";
-  const auto positionAt = [&](double before_s) {
+  const auto position_at = [&](double before_s) {
     model.written_before_s = before_s;
     return traceOf(bench, 1, model)[kPositionSignal][100];  // on its way, at 0.9 rad/s
   };
   constexpr double kStep = 0.00025;  // s, a quarter of the firmware's period
   for (double before_s = 0.001; before_s < 0.014; before_s += kStep)
-    EXPECT_NEAR(positionAt(before_s + kStep) - positionAt(before_s), 0.9 * kStep, 0.2 * 0.9 * kStep) << before_s;
+    EXPECT_NEAR(position_at(before_s + kStep) - position_at(before_s), 0.9 * kStep, 0.2 * 0.9 * kStep) << before_s;
 }
 
 TEST(RollOut, ServosReadAtAnyPhaseAreOnAverageWhereTheirMeanIs) {
