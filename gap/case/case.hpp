@@ -87,7 +87,7 @@ struct Case {
   std::string folder;
   std::optional<Joint> joint;  // of a robot, whose servo this is; none: of no robot, or not known
   GoalOrder goal_order = GoalOrder::kAfterRead;
-  std::optional<double> written_before_s;  // of kBeforeRead: where a fit begins; none: in the middle of a row
+  std::optional<double> written_before_s;  // of kBeforeRead, as in Hypothesis; none: not known, a fit has to find it
   bool quantised = true;                   // the firmware sees its encoder in ticks
   twin::Model model;                       // baseline: servo and effects that are known to be there
   twin::Pendulum pendulum;                 // payload is each log's own

@@ -85,7 +85,7 @@ std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis
   if (const double longest_s = longestWriteTime(given); longest_s > 0)  // any time within a row is as likely
     unknowns.push_back({.name = WriteTime::kName,
                         .what = WriteTime{},
-                        .expected = given.written_before_s.value_or(longest_s / 2),
+                        .expected = longest_s / 2,
                         .sigma = longest_s / std::sqrt(12.0),
                         .low = 0,
                         .high = longest_s});

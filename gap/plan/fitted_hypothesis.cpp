@@ -89,7 +89,7 @@ FittedHypothesis fitted(const Study& study, const std::vector<const twin::Effect
     problem = std::move(with);
     x = solve(problem, x, {.iterations = thresholds::kPlannedFitIterations, .refine = false}).x;
   }
-  // Fitted again under the noise of the fitted model; what it leaves of a servo that nobody measured counts as noise.
+  // Fitted again under the noise of the fitted model. For a roughly known servo the discrepancy counts as noise.
   NoiseOptions options;
   options.runs = thresholds::kNoiseRuns;
   if (isRoughlyKnown(study.data))

@@ -75,8 +75,10 @@ bool loadIsDutyIn(const Hypothesis& hypothesis, const Trajectory& log) {
 Hypothesis baselineOf(const Case& given) {
   Hypothesis baseline{.servo = given.model.servo, .effects = {}, .pendulum = given.pendulum, .payload_scale = 1};
   for (const twin::EffectSetting& effect : given.model.effects) baseline.with(*effect.info).values = effect.values;
-  if (const double longest_s = longestWriteTime(given); longest_s > 0)
-    baseline.written_before_s = given.written_before_s.value_or(longest_s / 2);
+  if (given.written_before_s)
+    baseline.written_before_s = *given.written_before_s;
+  else if (const double longest_s = longestWriteTime(given); longest_s > 0)
+    baseline.written_before_s = longest_s / 2;
   return baseline;
 }
 

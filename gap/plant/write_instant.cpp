@@ -9,7 +9,7 @@
 namespace darwinop::gap {
 
 double longestWriteTime(const Case& given) {
-  if (given.goal_order != GoalOrder::kBeforeRead) return 0;
+  if (given.goal_order != GoalOrder::kBeforeRead || given.written_before_s) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (const Trajectory& log : given.logs)
     if (log.rows() > 1) least = std::min(least, periodOf(log));

@@ -10,7 +10,7 @@ struct WriteTime {
   static constexpr const char* kName = "written_before";
 };
 
-/// Longest time that is possible in every log: the shortest row. 0: the case knows its instants.
+/// Longest time that is possible in every log, s: the shortest of their periods. 0: the case knows its instants.
 double longestWriteTime(const Case& given);
 
 /// Goals of this log are written at some time between two rows.

@@ -35,8 +35,7 @@ inline constexpr const char* kTooFewLogs =
     "why.";
 inline constexpr const char* kRemainder = "; a remainder is left that no further effect was found to explain.";
 inline constexpr const char* kWriteTime =
-    "Goals were written %s ms before the read of their row: fitted, as no log says it. A delay below one row would "
-    "look "
+    "Goals were written %s ms before the read of their row: fitted, since no log says it. A delay below one row looks "
     "the same.";
 inline constexpr const char* kWidened = "The intervals are widened by the remainder.";
 inline constexpr const char* kExplained =

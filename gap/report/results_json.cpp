@@ -5,7 +5,6 @@
 
 #include "gap/case/contradictions.hpp"
 #include "gap/identify/assessment.hpp"
-#include "gap/plant/write_instant.hpp"
 #include "gap/report/joint_numbers.hpp"
 #include "gap/report/results.hpp"
 #include "gap/report/sentences.hpp"
@@ -90,7 +89,7 @@ json movedOf(const Written& written) {
 json benchOf(const Case& given, const Identification& identification) {
   json bench = {{"payload_factor", identification.model.payload_scale},
                 {"length_factor", identification.model.pendulum.length_m / given.pendulum.length_m}};
-  if (longestWriteTime(given) > 0) bench["written_before_s"] = identification.model.written_before_s;
+  if (const auto time_s = foundWriteTime(given, identification)) bench["written_before_s"] = *time_s;
   return bench;
 }
 

@@ -199,9 +199,15 @@ std::string intervalSentence(const Identification& identification) {
   return messages::kExplained + text::joined(identification.explained, ", ") + ".";
 }
 
+std::optional<double> foundWriteTime(const Case& given, const Identification& identification) {
+  const double time_s = identification.model.written_before_s;
+  if (longestWriteTime(given) == 0 || time_s == baselineOf(given).written_before_s) return std::nullopt;
+  return time_s;
+}
+
 std::string writeTimeSentence(const Case& given, const Identification& identification) {
-  if (longestWriteTime(given) == 0) return "";
-  return text::formatted(messages::kWriteTime, text::fixedText(1e3 * identification.model.written_before_s, 1).c_str());
+  const std::optional<double> time_s = foundWriteTime(given, identification);
+  return time_s ? text::formatted(messages::kWriteTime, text::fixedText(1e3 * *time_s, 1).c_str()) : "";
 }
 
 std::string triedSentence(const Identification& identification) {

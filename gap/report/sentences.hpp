@@ -1,6 +1,7 @@
 // The verdict in words.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,10 @@ std::string rejectionSentence(const RejectedEffect& rejected);
 
 /// What a remainder means for the intervals: they are widened, or of these logs alone. Empty: there is none.
 std::string intervalSentence(const Identification& identification);
-/// When goals were written, where the fit had to find it; empty: the case knows.
+/// Time from the write of a goal to the read of its row that the fit found, s. None: the case knows it, or no fit was
+/// accepted and the model has the middle of a row.
+std::optional<double> foundWriteTime(const Case& given, const Identification& identification);
+/// The same as a sentence; empty: none.
 std::string writeTimeSentence(const Case& given, const Identification& identification);
 /// The effects that were tried and withdrawn, with their values; empty: none.
 std::string triedSentence(const Identification& identification);

@@ -52,7 +52,7 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
     const double end_s = static_cast<double>(run.periods() + 1) * run.period_s;
     const double written_s = writtenAt(log, commands, hypothesis.written_before_s);
     const double share = shareOfGoal(end_s, written_s, run.period_s), before = log.goal_rad[commands - 1];
-    return share < 1 ? before + share * (goal - before) : goal;
+    return share < 1 ? std::lerp(before, goal, share) : goal;
   };
   const auto period = [&](std::size_t commands, double position, double velocity) {
     const bool is_before = run.duty.empty() && held && !log.isReadAfterWrite();

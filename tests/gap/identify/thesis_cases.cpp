@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "core/conversions.hpp"
@@ -183,6 +184,7 @@ Case risingArm() {
   c.priors.push_back({"resistance", 0.04});
   believe("viscous", 0.002, "damping", c);
   c.goal_order = GoalOrder::kBeforeRead;
+  c.written_before_s = std::numeric_limits<double>::infinity();  // a simulator's controller: right after the last read
   const twin::ServoParameters& s = c.model.servo;
   const double weight_nm = (kArm.payload_kg + kArm.arm_mass_kg / 2) * kArm.length_m * kArm.gravity_m_s2;
   const auto rising = [&](const std::string& file, double p, double rad_s) {
