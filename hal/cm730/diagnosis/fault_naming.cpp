@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "core/servo_limits.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
 #include "hal/cm730/diagnosis/kind_faults.hpp"
 #include "hal/cm730/diagnosis/line_events.hpp"
 #include "hal/cm730/diagnosis/servo_rows.hpp"
