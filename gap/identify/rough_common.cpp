@@ -55,23 +55,26 @@ bool isNeedless(const twin::EffectInfo& effect, const FittedModel& with, const F
 }
 
 FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from) {
-  Evidence evidence{.plant = from.evidence->plant,
-                    .given = from.evidence->given,
-                    .logs = from.evidence->logs,
-                    .noise = {},
-                    .discrepancy = {}};
-  evidence.discrepancy = discrepancyOf(*evidence.plant, *evidence.given, evidence.logs, from.hypothesis());
-  return refit(*from.study, effects, Nuisance::kFree, {evidence, from.problem.hypothesis(), from.problem.unknowns()},
+  return refitWithDiscrepancy(*from.study, effects, from);
+}
+
+FittedModel refitWithDiscrepancy(const Study& study, const Effects& effects, const FittedModel& from) {
+  Evidence evidence{
+      .plant = &study.plant, .given = &study.data, .logs = study.evidence.logs, .noise = {}, .discrepancy = {}};
+  evidence.discrepancy = discrepancyOf(study.plant, study.data, evidence.logs, from.hypothesis());
+  return refit(study, effects, Nuisance::kFree, {evidence, from.problem.hypothesis(), from.problem.unknowns()},
                from.fit, 2);
 }
 
-RoughSelection::RoughSelection(const Study& study, const IdentifyOptions& options, const Effects& effects,
+RoughSelection::RoughSelection(const Study& study, const Study& few, const IdentifyOptions& options,
                                const FittedModel& from)
     : study_{study},
+      few_{few},
       options_{options},
       floor_rad_{readingSigma(study.data.model.servo)},
       candidates_{candidateEffectsOf(study.data)},
-      model_{refitWithDiscrepancy(effects, refitWithDiscrepancy(effects, restarted(effects, from)))} {}
+      model_{refitWithDiscrepancy(from.effects,
+                                  refitWithDiscrepancy(study, from.effects, restarted(from.effects, from)))} {}
 
 void RoughSelection::addCommonEffects() {
   options_.progress("effects that every servo has: friction of three kinds, encoder offset");
@@ -91,18 +94,19 @@ void RoughSelection::addCommonEffects() {
   if (!crossValidate(before, leaveOneOutErrors(model_), floor_rad_).improves()) model_ = bare;
 }
 
-/// The start that leads to the least error.
+/// From the start that leads to the least error in a few logs.
 FittedModel RoughSelection::fitFromStarts(const Effects& effects, const FittedModel& bare) const {
   FittedModel best = bare;
   double least = std::numeric_limits<double>::infinity();
   for (const Start& start : kStarts) {
     // The second refit has less discrepancy to accept as noise.
-    const FittedModel first = refitWithDiscrepancy(effects, startedAt(start, restarted(effects, bare)));
-    FittedModel second = refitWithDiscrepancy(effects, first);
-    const double error = meanPositionError(study_.plant, study_.data, second.hypothesis(), LogRole::kFit);
+    const FittedModel first = refitWithDiscrepancy(few_, effects, startedAt(start, restarted(effects, bare)));
+    FittedModel second = refitWithDiscrepancy(few_, effects, first);
+    const double error = meanPositionError(few_.plant, few_.data, second.hypothesis(), LogRole::kFit);
     if (error < least) least = error, best = std::move(second);
   }
-  return best;
+  if (&few_ == &study_) return best;
+  return refitWithDiscrepancy(effects, refitWithDiscrepancy(study_, effects, best));
 }
 
 void RoughSelection::dropNeedless() {

@@ -9,6 +9,7 @@
 
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/held_out.hpp"
+#include "gap/identify/rivals.hpp"
 #include "gap/identify/shortlist.hpp"
 #include "gap/identify/supply_check.hpp"
 #include "gap/plant/position_error.hpp"
@@ -23,12 +24,12 @@ void RoughSelection::run() {
   noteDoubles();
 }
 
-std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(const std::vector<FittedModel>& candidates) {
+std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<FittedModel>& candidates) {
   const std::vector<double> errors = leaveOneOutErrors(model_);
   std::vector<Tested> helping;
   std::size_t tested = 0;
   rejected_.clear();
-  for (const FittedModel& candidate : candidates) {
+  for (FittedModel& candidate : candidates) {
     const twin::EffectInfo& effect = *candidate.effects.back().info;
     if (model_.fit.cost - candidate.fit.cost < thresholds::kRareEffectGain ||
         tested == thresholds::kCrossValidatedEffects)
@@ -39,6 +40,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(const std::v
       continue;
     }
     ++tested;
+    candidate = refitUnderNoiseOf(candidate, model_, true);
     std::vector<double> with = leaveOneOutErrors(candidate);
     const CrossValidation validation = crossValidate(errors, with, floor_rad_);
     char text[160];
@@ -57,7 +59,9 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(const std::v
 
 // What some left-out logs ask for and others refuse is decided by logs that are not there: full duty, another gain.
 void RoughSelection::noteRivals(const std::vector<Tested>& tested, const Tested* best) {
-  rivals_.clear();
+  std::vector<std::string_view> again;
+  for (const Tested& one : tested) again.push_back(one.model->effects.back().info->id);
+  carryOn(rivals_, again, best == nullptr ? "" : best->model->effects.back().info->id);
   for (const Tested& other : tested) {
     if (&other == best || (best != nullptr && crossValidate(other.errors, best->errors, floor_rad_).improves()))
       continue;
@@ -101,7 +105,7 @@ bool RoughSelection::accept(FittedModel with) {
 }
 
 bool RoughSelection::addRareEffect() {
-  const std::vector<FittedModel> candidates = shortlist(model_, Screen{model_, candidates_}, true);
+  std::vector<FittedModel> candidates = shortlist(model_, Screen{model_, candidates_}, true);
   std::vector<Tested> helping = testRareEffects(candidates);
   std::ranges::stable_sort(helping, std::greater{}, [](const Tested& one) { return one.validation.mean; });
   const auto may_be_added = [&](const Tested& one) { return one.validation.improves() && !worsensHeldOut(*one.model); };
@@ -113,8 +117,7 @@ bool RoughSelection::addRareEffect() {
       helping.erase(best);
       continue;
     }
-    noteRivals(helping, &*best);
-    if (!has(model_.effects, added)) rivals_.clear();  // of an effect that is gone
+    if (has(model_.effects, added)) noteRivals(helping, &*best);
     return true;
   }
   noteRivals(helping, nullptr);

@@ -11,8 +11,9 @@
 
 namespace darwinop::gap {
 
-/// `effects` with all numbers free; what `from` leaves counts as noise.
+/// `effects` with all numbers free; what `from` leaves counts as noise. The second: on the fit logs of another study.
 FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from);
+FittedModel refitWithDiscrepancy(const Study& study, const Effects& effects, const FittedModel& from);
 
 /// Cost that an effect has to remove to stay.
 double leastRoughGain(const twin::EffectInfo& effect);
@@ -23,8 +24,9 @@ bool isNeedless(const twin::EffectInfo& effect, const FittedModel& with, const F
 /// fitted together, since each alone stands in for the others; then rarer effects one by one.
 class RoughSelection {
  public:
-  /// Starts with `effects`, fitted by `from`. `study` and `options` must outlive this.
-  RoughSelection(const Study& study, const IdentifyOptions& options, const Effects& effects, const FittedModel& from);
+  /// Starts with the effects of `from`. Other starts are compared on the logs of `few`, which may be `study`.
+  /// Both and `options` must outlive this.
+  RoughSelection(const Study& study, const Study& few, const IdentifyOptions& options, const FittedModel& from);
 
   void run();
   [[nodiscard]] Identification result() const;
@@ -43,7 +45,8 @@ class RoughSelection {
 
   void addCommonEffects();
   [[nodiscard]] bool addRareEffect();
-  [[nodiscard]] std::vector<Tested> testRareEffects(const std::vector<FittedModel>& candidates);
+  /// Those of `candidates` that are tested are fitted more finely.
+  [[nodiscard]] std::vector<Tested> testRareEffects(std::vector<FittedModel>& candidates);
   /// Those of `tested` that predict the logs neither better nor worse than `best`, null: than the present model.
   void noteRivals(const std::vector<Tested>& tested, const Tested* best);
   /// Effects of a rival, less those that are as needless there as beside the effect that was accepted. `offered`: the
@@ -60,7 +63,7 @@ class RoughSelection {
   [[nodiscard]] Verdict verdictWithRemainder(const Identification& found) const;
   [[nodiscard]] bool hasAll(const std::vector<std::string>& effects) const;
 
-  const Study& study_;
+  const Study &study_, &few_;
   const IdentifyOptions& options_;
   double floor_rad_;  // of the encoder
   std::vector<const twin::EffectInfo*> candidates_;

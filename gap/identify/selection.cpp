@@ -24,6 +24,11 @@ void Selection::run() {
 void Selection::search() {
   bool swapped = false;
   for (;;) {
+    if (isFull()) {
+      assess(nullptr);
+      if (leavesNoise() || !improvePastAStuckLog()) return;
+      continue;
+    }
     const Screen screen{model_, candidates_};  // predicted gain of every effect, by linear algebra
     assess(&screen);                           // misfit, and the gain that chance alone predicts
     if (isExplained(screen)) return;
@@ -84,6 +89,11 @@ void Selection::assess(const Screen* screen) {
 // A roughly known baseline has its own search for better effects, RoughSelection.
 bool Selection::maySwap() const {
   return !isConsistent() && !isRoughlyKnown(study_.data);
+}
+
+/// Nothing may be added or replaced: what a further effect would gain decides nothing.
+bool Selection::isFull() const {
+  return isRoughlyKnown(study_.data) && static_cast<int>(model_.effects.size()) >= options_.most_effects;
 }
 
 bool Selection::isExplained(const Screen& screen) const {

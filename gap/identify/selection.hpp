@@ -71,6 +71,7 @@ class Selection {
   bool simplifyOne();
   void replace(std::size_t i, const FittedModel& simpler, double gain);
   [[nodiscard]] bool maySwap() const;
+  [[nodiscard]] bool isFull() const;
   bool swapOne();
   /// Cost that effect `i` removes, in the presence of the others.
   [[nodiscard]] double gainOf(std::size_t i) const;

@@ -207,12 +207,16 @@ std::vector<FittedModel> shortlist(const FittedModel& present, const Screen& scr
   std::vector<ShortlistEntry> entries = refinedStarts(screen, promising(screen, {}, thresholds::kRefinedEffectsRough));
   fitAll(present, entries);
   keepBestStarts(entries);
+  keepFirst(thresholds::kRefinedEffects, entries);
   if (refined) freeSecondaryParameters(present, entries);
   keepFirst(thresholds::kFittedEffects, entries);
   std::vector<FittedModel> fitted;
   fitted.reserve(entries.size());
-  for (const ShortlistEntry& entry : entries) fitted.push_back(entryUnderNoiseOf(present, present, entry));
-  std::stable_sort(fitted.begin(), fitted.end(), hasMoreEvidence);
+  // Good enough to order them: what is tested and added is fitted again, with a Jacobian.
+  for (const ShortlistEntry& entry : entries)
+    fitted.push_back(refitUnderNoiseOf(withOneMore(present, *entry.effect, entry.refined), present.nuisance,
+                                       *entry.problem, entry.fit, present));
+  std::ranges::stable_sort(fitted, {}, [](const FittedModel& one) { return one.fit.cost; });
   return fitted;
 }
 

@@ -13,7 +13,7 @@ std::vector<FittedModel> fitCandidates(const FittedModel& present, const Screen&
                                        const std::vector<const twin::EffectInfo*>& only = {});
 
 /// On a roughly known baseline: the effects that fit best under the noise of `present`, best first, however far behind
-/// the best one. `refined`: with their secondary parameters where these earn their place.
+/// the best one; without Jacobians. `refined`: with their secondary parameters where these earn their place.
 std::vector<FittedModel> shortlist(const FittedModel& present, const Screen& screen, bool refined = false);
 
 }  // namespace darwinop::gap

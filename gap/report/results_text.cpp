@@ -1,6 +1,7 @@
 // The summary on the terminal, about one screen.
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string>
 
 #include "core/text/formatted.hpp"
@@ -37,13 +38,14 @@ std::string line(const char* format, Values... values) {
   return inLines(text::formatted(format, values...), std::string(10, ' '));
 }
 
-/// What would decide between the effects of `ambiguous`: of the first, the page has all.
+/// What would decide between the first effects of `ambiguous`: of all, the page has it.
 std::string experimentLines(const Identification& identification) {
   if (identification.verdict != Verdict::kAmbiguous) return "";
-  const std::vector<const twin::EffectInfo*> undecided = undecidedEffects(identification);
-  if (undecided.empty()) return "";
-  return inLines("decides   " + std::string{undecided.front()->id} + ": " +
-                 std::string{undecided.front()->separated_by});
+  std::string text;
+  for (const twin::EffectInfo* const effect : undecidedEffects(identification) | std::views::take(2))
+    text += line("%-9s %s: %s", text.empty() ? "decides" : "", std::string{effect->id}.c_str(),
+                 std::string{effect->separated_by}.c_str());
+  return text;
 }
 
 std::string whereText(const Localization& where) {

@@ -8,6 +8,7 @@
 #include "gap/case/case.hpp"
 #include "gap/fit/discrepancy.hpp"
 #include "gap/identify/identification.hpp"
+#include "gap/identify/rivals.hpp"
 #include "gap/identify/shown.hpp"
 #include "gap/identify/supply_check.hpp"
 #include "gap/small_case.hpp"
@@ -200,7 +201,7 @@ TEST(RoughNumbers, AnAdditionThatEndsTheFrictionIsRefused) {
   const IdentifyOptions options;
   const FittedModel bare = baselineAlone(study, Nuisance::kFree);
   const twin::EffectInfo &friction = *twin::findEffect("coulomb"), &scale = *twin::findEffect("kp_scale");
-  RoughSelection selection{study, options, {{&friction}}, bare};
+  RoughSelection selection{study, study, options, refit(bare, {{&friction}}, 1)};
   FittedModel with = refitWithDiscrepancy({{&friction}, {&scale}}, selection.model());
   const auto& unknowns = with.problem.unknowns();
   const auto dry = std::ranges::find(unknowns, "coulomb.friction", &Unknown::name);
@@ -209,6 +210,17 @@ TEST(RoughNumbers, AnAdditionThatEndsTheFrictionIsRefused) {
   EXPECT_FALSE(selection.accept(std::move(with)));
   EXPECT_EQ(idsOf(selection.model().effects), std::vector<std::string>{"coulomb"});
   EXPECT_NEAR(valueOf(*selection.model().hypothesis().find("coulomb"), "friction"), 0.08, 0.02);
+}
+
+TEST(Rivals, StayUndecidedBesideWhatIsAddedUntilTheyAreTestedAgain) {
+  std::vector<Rival> rivals{{{"coulomb", "torque_limit"}, 0}, {{"coulomb", "quadratic_load_friction"}, 0}};
+  carryOn(rivals, {"quadratic_load_friction", "transport_delay"}, "transport_delay");
+  ASSERT_EQ(rivals.size(), 1U);
+  EXPECT_EQ(rivals.front().effects, (std::vector<std::string>{"transport_delay", "coulomb", "torque_limit"}));
+  carryOn(rivals, {}, "");
+  EXPECT_EQ(rivals.front().effects.size(), 3U);
+  carryOn(rivals, {"torque_limit"}, "");
+  EXPECT_TRUE(rivals.empty());
 }
 
 TEST(EffectsNotShown, AreThoseWithNoneOfTheirFeatures) {

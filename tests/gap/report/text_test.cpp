@@ -102,10 +102,11 @@ TEST(Summary, NamesTheExperimentForEachEffectThatIsUndecided) {
   const auto separation = [](const char* id) { return std::string{twin::findEffect(id)->separated_by}; };
   std::string text = inOneLine(asText(rig.report));
   EXPECT_THAT(text, HasSubstr(messages::kPerhaps + std::string{twin::findEffect("torque_limit")->title}));
-  EXPECT_THAT(text, HasSubstr(separation("torque_limit")));
   EXPECT_THAT(text, HasSubstr("torque_limit as well"));
-  for (const char* const id : {"torque_limit", "backlash"})
+  for (const char* const id : {"torque_limit", "backlash"}) {
+    EXPECT_THAT(text, HasSubstr(separation(id).substr(0, 40)));  // longer ones go on below
     EXPECT_THAT(asHtml(rig.report), HasSubstr(html::text(separation(id))));
+  }
   EXPECT_THAT(text, Not(HasSubstr(separation("coulomb")))) << "it is in every set";
   EXPECT_THAT(text, Not(HasSubstr(separation("deadband")))) << "it is excluded";
   EXPECT_EQ(asJson(rig.given, rig.outcome)["ambiguity"][0], nlohmann::json({"torque_limit", "backlash"}));
@@ -171,7 +172,7 @@ TEST(Summary, FitsAScreenHoweverMuchWasFound) {
   identification.prior_conflicts.assign(9, {"duty_per_kp", 3.3, 1.2});
   rig.make();
   const std::vector<std::string> lines = linesOfText(asText(rig.report));
-  EXPECT_LE(lines.size(), 26U);
+  EXPECT_LE(lines.size(), 28U);
   for (const std::string& line : lines) EXPECT_LE(line.size(), 100U) << line;
 }
 
