@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "gap/case/median.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case/raw_folder.hpp"
 
@@ -44,12 +46,27 @@ double likeness(const Traits& one, const std::vector<Traits>& chosen) {
   return sum;
 }
 
+/// Logs that show less than others: without load where others have it, or less than half as long as most.
+std::vector<bool> poorOf(const std::vector<Trajectory>& logs) {
+  const auto has_load = [](const Trajectory& log) {
+    return std::ranges::any_of(log.load, [](double load) { return std::isfinite(load); });
+  };
+  std::vector<double> durations;
+  for (const Trajectory& log : logs) durations.push_back(log.duration_s());
+  const double usual_s = medianOf(durations);
+  const bool have_load = std::ranges::any_of(logs, has_load);
+  std::vector<bool> poor;
+  for (const Trajectory& log : logs) poor.push_back((have_load && !has_load(log)) || log.duration_s() < usual_s / 2);
+  return poor;
+}
+
 struct Bounds {
   std::size_t most, fewest;
   double most_s;
 };
 
-/// Of the logs of a role those that are least alike, one after the other; at a tie the first of the folder.
+/// Of the logs of a role those that are least alike, one after the other; at a tie the first of the folder. Poor ones
+/// differ from all others, and come last.
 std::vector<bool> chosenOf(const std::vector<Trajectory>& logs, bool held_out, const Bounds& bounds) {
   std::vector<bool> taken(logs.size());
   std::vector<std::size_t> left;
@@ -61,9 +78,12 @@ std::vector<bool> chosenOf(const std::vector<Trajectory>& logs, bool held_out, c
     traits.push_back(traitsOf(logs[i], static_cast<std::size_t>(kind)));
     if (logs[i].held_out == held_out) left.push_back(i);
   }
+  const std::vector<bool> poor = poorOf(logs);
   double seconds = 0;
   while (chosen.size() < bounds.most && (chosen.size() < bounds.fewest || seconds < bounds.most_s) && !left.empty()) {
-    const auto next = std::ranges::min_element(left, {}, [&](std::size_t i) { return likeness(traits[i], chosen); });
+    const auto next = std::ranges::min_element(left, {}, [&](std::size_t i) {
+      return std::pair{static_cast<bool>(poor[i]), likeness(traits[i], chosen)};
+    });
     taken[*next] = true;
     chosen.push_back(traits[*next]);
     seconds += logs[*next].duration_s();

@@ -78,6 +78,28 @@ TEST(ChooseLogs, EachMotionIsFittedAndHeldOut) {
   }
 }
 
+// Of a servo whose load was read, a log without it distinguishes no effect of the firmware.
+TEST(ChooseLogs, ThoseThatShowLessComeLast) {
+  FolderCase in = everyBench(true);
+  for (std::size_t i = 0; i < in.given.logs.size(); ++i) {
+    Trajectory& log = in.given.logs[i];
+    log.load.assign(log.rows(), i % 5 == 0 ? std::nan("") : 0.1);
+    if (i % 5 != 1) continue;
+    for (auto* const column : {&log.time_s, &log.goal_rad, &log.load}) column->resize(log.rows() / 3);
+    log.torque_on.resize(log.time_s.size());
+  }
+  chooseLogs(in);
+  for (const Trajectory& log : in.given.logs) {
+    EXPECT_FALSE(std::isnan(log.load.front()));
+    EXPECT_GT(log.duration_s(), kDuration / 2);
+  }
+  for (Trajectory& log : in.given.others) log.load.assign(log.rows(), std::nan(""));
+  FolderCase poor;
+  poor.given.logs = in.given.others;
+  chooseLogs(poor);
+  EXPECT_GT(poor.given.logs.size(), 12U) << "there is nothing better";
+}
+
 // The time of a search grows with the seconds of its logs.
 TEST(ChooseLogs, OfLongLogsFewerAreTaken) {
   FolderCase in = everyBench(true);
