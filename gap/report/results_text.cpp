@@ -107,6 +107,16 @@ std::string rivalText(const Identification& identification) {
   return text;
 }
 
+/// Numbers of the servo that the fit moved by a percent or more; back EMF follows the torque constant.
+std::string numbersText(const Outcome& outcome) {
+  std::string text;
+  for (const MovedNumber& one : movedNumbers(outcome.baseline.servo, outcome.identification.model.servo))
+    if (one.key != "back_emf" && std::abs(one.after - one.before) >= 0.01 * std::abs(one.before))
+      text += (text.empty() ? "" : ", ") + one.key + " = " + withUnit(one.after, one.unit) +
+              " (given: " + text::formatted("%.4g", one.before) + ")";
+  return text.empty() ? "" : line("numbers   %s", text.c_str());
+}
+
 std::string rowText(const std::string& what, const Gap& gap, bool below_floor) {
   return text::formatted(
       "  %-30s %10s %10s %10s %12s%s\n", what.c_str(), inMrad(gap.before_rad).c_str(), inMrad(gap.after_rad).c_str(),
@@ -143,8 +153,8 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
        {intervalSentence(identification), triedSentence(identification), writeTimeSentence(given, identification)})
     if (!sentence.empty()) text += inLines(sentence);
   for (const Contradiction& found : contradictionsOf(given)) text += inLines(asSentence(found));
-  text += "\n" + whereText(outcome.localization) + whatText(identification) + rivalText(identification) +
-          experimentLines(identification);
+  text += "\n" + whereText(outcome.localization) + whatText(identification) + numbersText(outcome) +
+          rivalText(identification) + experimentLines(identification);
   text += "\n" + tableText(given, comparison);
   text += "\n";
   if (const double repeats_rad = outcome.localization.floor.repeats_rad; repeats_rad >= 0)

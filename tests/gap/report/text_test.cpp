@@ -172,8 +172,20 @@ TEST(Summary, FitsAScreenHoweverMuchWasFound) {
   identification.prior_conflicts.assign(9, {"duty_per_kp", 3.3, 1.2});
   rig.make();
   const std::vector<std::string> lines = linesOfText(asText(rig.report));
-  EXPECT_LE(lines.size(), 28U);
+  EXPECT_LE(lines.size(), 30U);
   for (const std::string& line : lines) EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST(Summary, HasTheNumbersThatTheFitMoved) {
+  ReportRig rig;
+  twin::ServoParameters& servo = rig.outcome.identification.model.servo;
+  servo = rig.outcome.baseline.servo;
+  rig.make();
+  EXPECT_THAT(asText(rig.report), Not(HasSubstr("numbers ")));
+  servo.kt_nm_a = servo.back_emf_vs_rad = 2 * rig.outcome.baseline.servo.kt_nm_a;
+  servo.resistance_ohm *= 1.001;
+  rig.make();
+  EXPECT_THAT(asText(rig.report), HasSubstr("numbers   kt = 3.572 N m/A (given: 1.786)\n"));
 }
 
 TEST(Summary, ContinuesALongLineBelowItself) {
