@@ -15,6 +15,7 @@
 #include "gap/report/body/body_additions.hpp"
 #include "gap/report/body/body_report.hpp"
 #include "gap/report/data_hash.hpp"
+#include "gap/report/read_results.hpp"
 #include "gap_commands.hpp"
 #include "gap_files.hpp"
 #include "hal/write_text_file.hpp"

@@ -158,8 +158,8 @@ std::vector<ParsedCommand> addCommands(CLI::App& app, Arguments& given) {
           "  darwinop gap record --robot twin --add body_triangles --up 0,-1,0 --out mine\n\n"
           "Exit code: 0 done; 1 a recording failed; 2 nothing has begun; 130 stopped");
   CLI::App* const plan = on_case(add("plan", "the most informative next experiment, docs/gap/plan.md", planNext));
-  plan->add_option("--against", given.against,
-                   "ID,ID: effects to separate; default: what an identification leaves open");
+  plan->add_option("RESULTS", given.results, "report.json of run; else the search is repeated");
+  plan->add_option("--against", given.against, "ID,ID: effects to separate; default: what the search leaves open");
   plan->add_option("--joint", given.joint, "that swings the arm")->default_str(kUsualJoint);
   plan->add_option("--hangs-at", given.hangs_at_rad, "rad: angle of the joint where the arm hangs; known for the arms");
   plan->add_option("--write", given.write, "folder for the best ones, for darwinop experiment run");

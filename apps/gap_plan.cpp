@@ -11,6 +11,8 @@
 #include "gap/plan/body/motion_ranking.hpp"
 #include "gap/plan/question.hpp"
 #include "gap/plan/write_experiments.hpp"
+#include "gap/report/data_hash.hpp"
+#include "gap/report/read_results.hpp"
 #include "gap_commands.hpp"
 
 namespace darwinop::gap {
@@ -30,9 +32,12 @@ std::vector<std::string> partsOf(const std::string& list) {
 }  // namespace
 
 int planForBody(const Arguments& given) {
-  if (!given.against.empty() || !given.write.empty() || given.hangs_at_rad || !given.joint.empty())
+  if (!given.against.empty() || !given.write.empty() || given.hangs_at_rad || !given.joint.empty() ||
+      !given.results.empty())
     throw std::runtime_error(
-        "--against, --write, --hangs-at and --joint are for cases of one servo; leave them out for a whole robot");
+        "--against, --write, --hangs-at, --joint and report.json are for cases of one servo; leave them out for a "
+        "whole "
+        "robot");
   const BodyCase read = readBodyCase(given.folder);
   const BodyIdentification found = identify(read);
   if (!given.json)
@@ -54,6 +59,20 @@ ArmSetup standFor(const Case& read, const Arguments& given) {
   return armSetupFor(joint, given.hangs_at_rad);
 }
 
+/// As a run has it, or by a search of its own.
+Identification identified(const Case& read, const Arguments& given, const ProgressCallback& progress) {
+  if (given.results.empty()) {
+    IdentifyOptions options;
+    options.progress = progress;
+    return identify(Study{read}, options);
+  }
+  const std::string report = textOf(given.results);
+  Identification found = identifiedIn(report, given.results, read);
+  if (const std::string warning = otherDataWarning(report, given.results, dataHash(read)); !warning.empty())
+    progress(warning);
+  return found;
+}
+
 }  // namespace
 
 int planNext(const Arguments& given) {
@@ -65,9 +84,7 @@ int planNext(const Arguments& given) {
   };
   Question question;
   if (given.against.empty()) {
-    IdentifyOptions options;
-    options.progress = progress;
-    const Identification identification = identify(Study{read}, options);
+    const Identification identification = identified(read, given, progress);
     progress("verdict: " + std::string{nameOf(identification.verdict)});
     question = questionAfter(read, identification, progress);
   } else {

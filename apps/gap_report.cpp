@@ -14,6 +14,7 @@
 #include "gap/case/raw_folder.hpp"
 #include "gap/parallel/ranks.hpp"
 #include "gap/report/data_hash.hpp"
+#include "gap/report/read_results.hpp"
 #include "gap/report/report.hpp"
 #include "gap_commands.hpp"
 #include "gap_files.hpp"

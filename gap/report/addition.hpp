@@ -51,14 +51,6 @@ struct Additions {
 Additions atJoint(Additions additions, const Case& given);
 /// "coulomb.friction=0.05"; several of one effect belong together. Throws std::runtime_error with a sentence.
 Additions additionsFrom(const std::vector<std::string>& texts);
-/// Of this case, from what `run --json` or `benchmark run` wrote. Throws std::runtime_error for a verdict that names
-/// nothing.
-Additions additionsIn(std::string_view results, const std::string& file, const Case& given);
-/// Key of the hash of the recordings that a search was on.
-inline constexpr const char* kDataHash = "data_sha256";
-/// A warning if report.json is of other recordings than these; empty: the same, or it has no hash.
-std::string otherDataWarning(std::string_view results, const std::string& file, const std::string& data_hash);
-
 /// The model file `text` with them; everything else in it stays. Throws std::runtime_error with a sentence for an
 /// effect or parameter that does not exist, and for an impossible value.
 std::string withAdditions(std::string text, const Additions& additions);

@@ -9,6 +9,9 @@
 
 namespace darwinop::gap {
 
+/// Its key in report.json.
+inline constexpr const char* kDataHash = "data_sha256";
+
 /// FIPS 180-4, in 64 hexadecimal digits.
 std::string sha256(std::string_view data);
 

@@ -1,12 +1,14 @@
-// Effects out of results.json or report.json.
+#include "gap/report/read_results.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
-#include "gap/report/addition.hpp"
+#include "gap/report/data_hash.hpp"
 #include "gap/report/messages.hpp"
+#include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -20,10 +22,15 @@ const json& resultOf(const json& all, const std::string& name) {
   throw std::runtime_error("has no result of case " + name);
 }
 
+void checkCase(const json& result, const std::string& name) {
+  const std::string of = result.at("case");
+  if (of != name) throw std::runtime_error("is of case " + of + ", not of " + name);
+}
+
 /// Throws for a verdict without an effect.
 void checkVerdict(const json& result, const std::string& name) {
-  const std::string of = result.at("case"), verdict = result.at("verdict");
-  if (of != name) throw std::runtime_error("is of case " + of + ", not of " + name);
+  checkCase(result, name);
+  const std::string verdict = result.at("verdict");
   if (verdict == "none") throw std::runtime_error("nothing is missing by this result: there is nothing to add");
   if (verdict != "named" && verdict != "ambiguous")
     throw std::runtime_error("has the verdict " + verdict + ", which " + messages::kNamesNoEffect +
@@ -51,12 +58,31 @@ AddedEffect effectIn(const json& from, const json& result) {
   return effect;
 }
 
+Verdict verdictNamed(const std::string& name) {
+  for (const Verdict one :
+       {Verdict::kNone, Verdict::kNamed, Verdict::kAmbiguous, Verdict::kUnknown, Verdict::kCannotTell})
+    if (nameOf(one) == name) return one;
+  throw std::runtime_error("has the verdict " + name + ", which leaves nothing to plan");
+}
+
+/// `read` of the result of this case in `text`. Throws std::runtime_error with the file and a sentence.
+template <class Read>
+auto inResult(std::string_view text, const std::string& file, const Case& given, const Read& read) {
+  try {
+    const json all = json::parse(text);
+    return read(resultOf(all, given.name));
+  } catch (const json::exception& error) {
+    throw std::runtime_error(file + ": " + messages::kNotAResult + " (" + error.what() +
+                             "); `darwinop gap run` writes report.json, `darwinop gap benchmark run` results.json");
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 Additions additionsIn(std::string_view results, const std::string& file, const Case& given) {
-  try {
-    const json all = json::parse(results);
-    const json& result = resultOf(all, given.name);
+  return inResult(results, file, given, [&](const json& result) {
     checkVerdict(result, given.name);
     Additions additions;
     for (const json& effect : result.at("effects")) additions.effects.push_back(effectIn(effect, result));
@@ -64,12 +90,24 @@ Additions additionsIn(std::string_view results, const std::string& file, const C
     for (const json& number : result.value("numbers", json::array()))
       additions.numbers.push_back({number.at("number"), number.at("after")});
     return atJoint(std::move(additions), given);
-  } catch (const json::exception& error) {
-    throw std::runtime_error(file + ": " + messages::kNotAResult + " (" + error.what() +
-                             "); `darwinop gap run` writes report.json, `darwinop gap benchmark run` results.json");
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(file + ": " + error.what());
-  }
+  });
+}
+
+Identification identifiedIn(std::string_view report, const std::string& file, const Case& given) {
+  return inResult(report, file, given, [&](const json& result) {
+    checkCase(result, given.name);
+    Identification found;
+    found.verdict = verdictNamed(result.at("verdict"));
+    for (const json& effect : result.at("effects")) {
+      const std::string id = effect.at("id");
+      const twin::EffectInfo* const known = twin::findEffect(id);
+      if (known == nullptr) throw std::runtime_error("has the effect " + id + ", which the catalogue does not have");
+      found.effects.push_back({known, {}, 0});
+    }
+    for (const json& rival : result.at("rivals"))
+      found.rivals.push_back({rival.at("effects").get<std::vector<std::string>>(), rival.at("behind"), false});
+    return found;
+  });
 }
 
 std::string otherDataWarning(std::string_view results, const std::string& file, const std::string& data_hash) {

@@ -6,7 +6,7 @@
 #include "gap/case/data_check.hpp"
 #include "gap/export/holds.hpp"
 #include "gap/export/targets.hpp"
-#include "gap/report/addition.hpp"
+#include "gap/report/read_results.hpp"
 #include "gap/report/results.hpp"
 #include "gap/small_case.hpp"
 #include "gap/workflow.hpp"

@@ -75,6 +75,11 @@ TEST_F(RecordedJoint, OfATwinWithAWeakGainLacksTheGain) {
   const Outcome answer = answerFor("[effect kp_scale ShoulderR]\nscale = 0.8\n");
   EXPECT_EQ(answer.status, kNamed) << answer.said;
   EXPECT_THAT(names(), testing::ElementsAre("kp_scale"));
+  const Outcome planned =
+      shell(std::string{DARWINOP_BIN} + "/darwinop-gap plan " + case_ + " " + (folder_ / "report/report.json"));
+  EXPECT_EQ(planned.status, 0) << planned.said;
+  EXPECT_THAT(planned.said, testing::HasSubstr("verdict: named"));
+  EXPECT_THAT(planned.said, testing::Not(testing::HasSubstr("misfit"))) << "the search is not repeated";
 }
 
 }  // namespace

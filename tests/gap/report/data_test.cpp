@@ -8,6 +8,7 @@
 
 #include "gap/report/data_hash.hpp"
 #include "gap/report/messages.hpp"
+#include "gap/report/read_results.hpp"
 #include "gap/report/report_folder.hpp"
 #include "gap/report/report_rig.hpp"
 #include "hal/text_file.hpp"

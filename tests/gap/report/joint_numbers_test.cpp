@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gap/report/read_results.hpp"
 #include "gap/report/report_rig.hpp"
 #include "twin/servo/servo.hpp"
 

@@ -8,6 +8,7 @@
 #include "gap/report/data_hash.hpp"
 #include "gap/report/line_diff.hpp"
 #include "gap/report/model_text.hpp"
+#include "gap/report/read_results.hpp"
 #include "gap/report/report_rig.hpp"
 #include "twin/model/messages.hpp"
 #include "twin/model/sections.hpp"
@@ -216,6 +217,31 @@ TEST(AddResults, ThatNameNothingAreRefused) {
   EXPECT_THAT(sentence(of_e1.dump()), HasSubstr("is of case e1, not of other"));
   EXPECT_THAT(sentence("[]"), HasSubstr("has no result of case other"));
   EXPECT_THAT(sentence("{\"case\": 3"), HasSubstr(std::string{"report.json: "} + messages::kNotAResult));
+}
+
+TEST(PlanFromResults, BeginsWithTheNamesAndRivalsOfARun) {
+  ReportRig rig;
+  rig.outcome.identification.verdict = Verdict::kAmbiguous;
+  rig.outcome.identification.rivals = {{{"coulomb", "backlash"}, 3}, {{"deadband"}, 45}};
+  nlohmann::json report = asJson(rig.report);
+  const auto read = [&] { return identifiedIn(report.dump(), "report.json", rig.given); };
+  const Identification found = read();
+  EXPECT_EQ(found.verdict, Verdict::kAmbiguous);
+  ASSERT_EQ(found.effects.size(), 1U);
+  EXPECT_EQ(found.effects.front().effect->id, "coulomb");
+  ASSERT_EQ(found.rivals.size(), 2U);
+  EXPECT_EQ(found.rivals[0].effects, (std::vector<std::string>{"coulomb", "backlash"}));
+  EXPECT_EQ(found.rivals[1].behind, 45);
+  report["verdict"] = "bad_input";
+  EXPECT_THAT(sentenceOf(read), HasSubstr("report.json: has the verdict bad_input"));
+  report["verdict"] = "named";
+  report["effects"][0]["id"] = "gremlins";
+  EXPECT_THAT(sentenceOf(read), HasSubstr("gremlins"));
+  report.erase("rivals");
+  report["effects"] = nlohmann::json::array();
+  EXPECT_THAT(sentenceOf(read), HasSubstr(messages::kNotAResult)) << "results.json has no rivals";
+  report["case"] = "other";
+  EXPECT_THAT(sentenceOf(read), HasSubstr("is of case other"));
 }
 
 TEST(LineDiff, ShowsWhatChangedWithALittleAround) {
