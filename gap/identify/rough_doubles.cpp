@@ -53,6 +53,7 @@ std::vector<Trial> trialsOf(const FittedModel& model, const EffectList& candidat
 std::vector<FittedModel> fitEach(const FittedModel& model, const Trial& trial) {
   const FittedModel less = refitUnderNoiseOf(trial.kept, model.nuisance, model.problem, model.fit, model, true);
   std::vector<FittedModel> fitted = shortlist(less, Screen{less, trial.doubles});
+  for (FittedModel& one : fitted) one = refitUnderNoiseOf(one, less, true);
   std::erase_if(fitted, [&](const FittedModel& one) {
     return less.fit.cost - one.fit.cost < leastRoughGain(*one.effects.back().info);
   });
