@@ -80,6 +80,19 @@ TEST(Blocks, MeasureTheResistanceOfTheSupply) {
   EXPECT_LT(found.supply_ohm_sigma, 0.1);
 }
 
+// The current is computed from the motor's numbers: a sag cannot be known better than these.
+TEST(Blocks, MeasureASupplyAsWellAsTheMotorIsKnown) {
+  Case given = measuredCase({"supply_sag", {1, 0}});
+  const double exact = blocksOf(given).supply_ohm_sigma;
+  given.priors.push_back({"resistance", 0.2});
+  const Blocks found = blocksOf(given);
+  EXPECT_GT(found.supply_ohm_sigma, 3 * exact);
+  given.model.servo.resistance_ohm *= 0.8;
+  const Blocks wrong = blocksOf(given);
+  EXPECT_GT(std::abs(wrong.supply_ohm - 1), 0.1) << "the motor is off by a sigma";
+  EXPECT_LT(std::abs(wrong.supply_ohm - 1), 2 * wrong.supply_ohm_sigma);
+}
+
 TEST(Blocks, DetectASpeedThatContradictsThePositions) {
   Case given = measuredCase({});
   for (Trajectory& log : given.logs)
