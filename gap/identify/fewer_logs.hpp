@@ -1,4 +1,4 @@
-// What needs no more than some of many logs: a search for two effects that would explain all, the order of candidates.
+// What needs no more than some of many logs: a search for two effects that explain all, the best of several starts.
 #pragma once
 
 #include <optional>
