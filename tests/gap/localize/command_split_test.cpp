@@ -50,7 +50,7 @@ TEST(CommandSplit, ExplainsAtMostAll) {
 }
 
 // The goal of a sweep hardly rests: a residual that is the same everywhere is as large there as elsewhere.
-TEST(CommandSplit, ADeadZoneInSweepsIsNoCommand) {
+TEST(CommandSplit, ADeadZoneInSweepsIsNotACommand) {
   const Case given = measuredCase({});
   const CommandSplit same = splitOf(given, {given, &everywhere, kWrong}, 0);
   EXPECT_NEAR(same.at_rest, 1, 0.01);
