@@ -43,7 +43,7 @@ double everywhere(const Trajectory& /*log*/, std::size_t /*row*/) {
 
 TEST(CommandSplit, ExplainsAtMostAll) {
   const Case given = measuredCase({});
-  const double rows = static_cast<double>(given.logs[0].rows() + given.logs[1].rows() + given.logs[2].rows());
+  const auto rows = static_cast<double>(given.logs[0].rows() + given.logs[1].rows() + given.logs[2].rows());
   const CommandSplit split = splitOf(given, {given, &everywhere, 0}, 10 * rows);
   EXPECT_EQ(split.by_command.share, 1) << "less than noise is left";
   EXPECT_EQ(split.by_controller.share, 1);
