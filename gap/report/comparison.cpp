@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "gap/case/median.hpp"
 #include "gap/case/plausible.hpp"
 #include "gap/fit/noise.hpp"
 #include "gap/parallel/parallel.hpp"
@@ -92,17 +93,25 @@ void compareOthers(const Case& given, const Hypothesis& before, const Hypothesis
                   .rows = knownRows(view.logs[i])};
   });
   Squares all;
+  std::vector<double> errors;
   for (std::size_t i = given.logs.size(); i < squares.size(); ++i) {
     if (copies[i]) continue;
     all.add(squares[i]);
     ++out.other_logs;
+    errors.push_back(squares[i].rms().after_rad);
+    if (std::isnan(out.worst_other_rad) || errors.back() > out.worst_other_rad)
+      out.worst_other_rad = errors.back(), out.worst_other = view.logs[i].file;
   }
   out.others = all.rms();
+  out.median_other_rad = medianOf(errors);
 }
 
 }  // namespace
 
 Gap::Gap() : before_rad{std::numeric_limits<double>::quiet_NaN()}, after_rad{before_rad}, floor_rad{before_rad} {}
+
+Comparison::Comparison()
+    : median_other_rad{std::numeric_limits<double>::quiet_NaN()}, worst_other_rad{median_other_rad} {}
 
 bool Comparison::anyBelowFloor(const Case& given, bool of_held_out) const {
   return std::ranges::any_of(

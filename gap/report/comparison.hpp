@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "gap/plant/hypothesis.hpp"
@@ -32,6 +33,10 @@ struct Comparison {
   // simulated. Copies of a log count once.
   Gap held_out, fit, others;
   std::size_t held_out_logs = 0, fit_logs = 0, other_logs = 0;
+  // Of those that are neither, with the second model: rms error of the log in the middle, and of the worst.
+  double median_other_rad, worst_other_rad;
+  std::string worst_other;  // its file
+  Comparison();
   [[nodiscard]] bool anyBelowFloor(const Case& given, bool of_held_out) const;
 };
 

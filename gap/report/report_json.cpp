@@ -26,6 +26,14 @@ json gapAsJson(const Gap& gap) {
           {"after_floors", digits(gap.floorsAfter(), 100)}};
 }
 
+json othersAsJson(const Comparison& comparison) {
+  json others = gapAsJson(comparison.others);
+  others["median_after_mrad"] = digits(comparison.median_other_rad * 1e3, 1e3);
+  others["worst_after_mrad"] = digits(comparison.worst_other_rad * 1e3, 1e3);
+  others["worst_file"] = comparison.worst_other;
+  return others;
+}
+
 json logsAsJson(const Report& report) {
   json logs = json::array();
   for (const LogComparison& one : report.comparison.logs) {
@@ -72,7 +80,7 @@ json asJson(const Report& report) {
                  : searchAsJson(report);
   all["held_out"] = gapAsJson(report.comparison.held_out);
   all["fit"] = gapAsJson(report.comparison.fit);
-  if (report.comparison.other_logs > 0) all["others"] = gapAsJson(report.comparison.others);
+  if (report.comparison.other_logs > 0) all["others"] = othersAsJson(report.comparison);
   all["logs"] = logsAsJson(report);
   all["model_changes"] = diffAsJson(report);
   all["commands"] = report.commands;

@@ -125,6 +125,14 @@ std::string rowText(const std::string& what, const Gap& gap, bool below_floor) {
       below_floor ? ("  a log " + std::string{messages::kBelowFloorFlag} + "!").c_str() : "");
 }
 
+/// One log in which the arm falls to the other side may be most of an rms error.
+std::string otherLogsText(const Comparison& comparison) {
+  if (comparison.other_logs < 3) return "";
+  return inLines("    half of these: within " + inMrad(comparison.median_other_rad) +
+                     "; worst: " + inMrad(comparison.worst_other_rad) + " in " + comparison.worst_other,
+                 std::string(4, ' '));
+}
+
 std::string tableText(const Case& given, const Comparison& comparison) {
   return line("%-32s %10s %10s %10s %12s", "position error, rms, mrad", "before", "after", "noise", "after in") +
          rowText(std::string{messages::kHeldOutLogs} + " (" + std::to_string(comparison.held_out_logs) + ")",
@@ -134,7 +142,8 @@ std::string tableText(const Case& given, const Comparison& comparison) {
          (comparison.other_logs == 0
               ? ""
               : rowText(std::string{messages::kOtherLogs} + " (" + std::to_string(comparison.other_logs) + ")",
-                        comparison.others, false));
+                        comparison.others, false) +
+                    otherLogsText(comparison));
 }
 
 }  // namespace

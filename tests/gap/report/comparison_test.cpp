@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gap/report/results.hpp"
 #include "gap/small_case.hpp"
 
 namespace darwinop::gap {
@@ -26,6 +27,25 @@ TEST(Comparison, CopiesOfALogCountOnce) {
   EXPECT_EQ(twice.logs.size(), 6U) << "each is shown";
   EXPECT_EQ(twice.other_logs, 1U);
   EXPECT_GT(twice.others.before_rad, 0);
+}
+
+// An arm that falls to the other side in one of a thousand logs is most of their rms error.
+TEST(Comparison, OfTheOtherLogsHasTheWorstAndTheOneInTheMiddle) {
+  const Case bench = smallBench();
+  Case given = measured(bench, baselineOf(bench), 3);
+  EXPECT_TRUE(std::isnan(compare(given, baselineOf(given), baselineOf(given)).worst_other_rad));
+  const double shifts_rad[] = {0.02, 0.3, 0.01};
+  for (const double shift_rad : shifts_rad) {
+    given.others.push_back(given.logs[0]);
+    given.others.back().file = std::to_string(shift_rad);
+    for (double& position : given.others.back().position_rad) position += shift_rad;
+  }
+  const Comparison found = compare(given, baselineOf(given), baselineOf(given));
+  EXPECT_EQ(found.worst_other, std::to_string(0.3));
+  EXPECT_NEAR(found.worst_other_rad, 0.3, 0.01);
+  EXPECT_NEAR(found.median_other_rad, 0.02, 0.01);
+  EXPECT_GT(found.others.after_rad, 0.15);
+  EXPECT_NE(asText(given, found).find("worst: 300 in " + found.worst_other), std::string::npos) << asText(given, found);
 }
 
 }  // namespace
