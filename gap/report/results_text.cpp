@@ -1,7 +1,6 @@
 // The summary on the terminal, about one screen.
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <string>
 
 #include "core/text/formatted.hpp"
@@ -18,7 +17,8 @@ namespace darwinop::gap {
 namespace {
 
 constexpr std::size_t kColumns = 100;
-constexpr std::size_t kEstimatesShown = 5, kRivalsShown = 2, kConflictsShown = 2, kRejectedShown = 2;
+constexpr std::size_t kEstimatesShown = 5, kRivalsShown = 2, kExperimentsShown = 2, kConflictsShown = 2,
+                      kRejectedShown = 2;
 
 /// In lines of a terminal, all but the first one after `indent`.
 std::string inLines(std::string text, const std::string& indent = "") {
@@ -42,9 +42,11 @@ std::string line(const char* format, Values... values) {
 std::string experimentLines(const Identification& identification) {
   if (identification.verdict != Verdict::kAmbiguous) return "";
   std::string text;
-  for (const twin::EffectInfo* const effect : undecidedEffects(identification) | std::views::take(2))
-    text += line("%-9s %s: %s", text.empty() ? "decides" : "", std::string{effect->id}.c_str(),
-                 std::string{effect->separated_by}.c_str());
+  std::size_t shown = 0;
+  for (const twin::EffectInfo* const effect : undecidedEffects(identification))
+    if (shown++ < kExperimentsShown)
+      text += line("%-9s %s: %s", text.empty() ? "decides" : "", std::string{effect->id}.c_str(),
+                   std::string{effect->separated_by}.c_str());
   return text;
 }
 
