@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gap/report/report.hpp"
 #include "gap/report/results.hpp"
 #include "gap/small_case.hpp"
 
@@ -27,6 +28,18 @@ TEST(Comparison, CopiesOfALogCountOnce) {
   EXPECT_EQ(twice.logs.size(), 6U) << "each is shown";
   EXPECT_EQ(twice.other_logs, 1U);
   EXPECT_GT(twice.others.before_rad, 0);
+}
+
+// Else the model that a run has found is compared with another time of the write than the run had.
+TEST(Comparison, OfModelFilesFindsWhenGoalsWereWritten) {
+  Case bench = smallBench();
+  bench.goal_order = GoalOrder::kBeforeRead;
+  Hypothesis truth = baselineOf(bench);
+  truth.written_before_s = 0.002;
+  const Case given = measured(bench, truth, 3);
+  const Report report = reportOn(given, caseModel(given), caseModel(given));
+  EXPECT_LT(report.comparison.fit.floorsAfter(), 1.1);
+  EXPECT_GT(compare(given, baselineOf(given), baselineOf(given)).fit.floorsAfter(), 1.3) << "half a row";
 }
 
 // An arm that falls to the other side in one of a thousand logs is most of their rms error.
