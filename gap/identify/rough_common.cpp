@@ -94,7 +94,7 @@ void RoughSelection::addCommonEffects() {
   if (!crossValidate(before, leaveOneOutErrors(model_), floor_rad_).improves()) model_ = bare;
 }
 
-/// From the start that leads to the least error in a few logs.
+/// Fitted to a few logs from each start; the one with the least error in all of them is fitted to all.
 FittedModel RoughSelection::fitFromStarts(const Effects& effects, const FittedModel& bare) const {
   FittedModel best = bare;
   double least = std::numeric_limits<double>::infinity();
@@ -102,7 +102,7 @@ FittedModel RoughSelection::fitFromStarts(const Effects& effects, const FittedMo
     // The second refit has less discrepancy to accept as noise.
     const FittedModel first = refitWithDiscrepancy(few_, effects, startedAt(start, restarted(effects, bare)));
     FittedModel second = refitWithDiscrepancy(few_, effects, first);
-    const double error = meanPositionError(few_.plant, few_.data, second.hypothesis(), LogRole::kFit);
+    const double error = meanPositionError(study_.plant, study_.data, second.hypothesis(), LogRole::kFit);
     if (error < least) least = error, best = std::move(second);
   }
   if (&few_ == &study_) return best;

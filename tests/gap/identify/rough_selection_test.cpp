@@ -7,6 +7,7 @@
 
 #include "gap/case/case.hpp"
 #include "gap/fit/discrepancy.hpp"
+#include "gap/identify/fewer_logs.hpp"
 #include "gap/identify/identification.hpp"
 #include "gap/identify/rivals.hpp"
 #include "gap/identify/shown.hpp"
@@ -116,6 +117,46 @@ TEST(RoughNumbers, WhatEveryServoHasIsFoundThoughSomethingRemains) {
   EXPECT_LT(identification.gap_after_rad, 0.15 * identification.gap_before_rad);
 }
 
+TEST(RoughNumbers, TwoRarerEffectsAreNamedOneAfterTheOther) {
+  const Case bench = manualBench();
+  Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.1);
+  valueOf(truth.with(*twin::findEffect("viscous")), "damping") = 0.04;
+  valueOf(truth.with(*twin::findEffect("accel_limit")), "accel") = 30;
+  valueOf(truth.with(*twin::findEffect("transport_delay")), "delay") = 0.03;
+  const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};
+  const Case given = measuredIn(gusts, bench, truth);
+  const Study study{given};
+  Case some = given;  // starts are compared on half of the logs
+  for (std::size_t i = 0; i < 6; i += 2) some.logs[i].held_out = true;
+  const Study few{some};
+  const IdentifyOptions options;
+  RoughSelection selection{study, few, options, baselineAlone(study, Nuisance::kFree)};
+  selection.run();
+  const Identification identification = selection.result();
+  SCOPED_TRACE(namesIn(identification));
+  for (const char* const id : {"coulomb", "viscous", "accel_limit", "transport_delay"})
+    EXPECT_NE(foundIn(identification, id), nullptr) << id;
+  EXPECT_LT(identification.gap_after_rad, 0.15 * identification.gap_before_rad);
+}
+
+TEST(FewerLogs, AreAThirdOfManyAndAllOfFew) {
+  Case given = smallBench();
+  given = measured(given, baselineOf(given), 1);
+  const Study few{given, {.runs = 2, .disturbance = {}}};
+  EXPECT_EQ(&FewerLogs{few}.study(), &few);
+  for (Trajectory& log : given.logs) log.held_out = false;
+  while (given.logs.size() < 13) {
+    given.logs.push_back(given.logs[given.logs.size() - 3]);
+    given.logs.back().position_rad.front() += 1e-4;  // no copy of another
+  }
+  given.others = given.logs;
+  const Study many{given, {.runs = 2, .disturbance = {}}};
+  ASSERT_EQ(many.evidence.logs.size(), 13U);
+  const FewerLogs third{many};
+  EXPECT_EQ(third.study().evidence.logs, (std::vector<std::size_t>{0, 3, 6, 9, 12}));
+  EXPECT_TRUE(third.study().data.others.empty());
+}
+
 TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   const Case bench = manualBench();
   const Case given = measuredIn({}, bench, withEffect(bench, "coulomb", "friction", 0.08));
@@ -123,6 +164,25 @@ TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   EXPECT_FALSE(identification.remains);
   ASSERT_EQ(identification.effects.size(), 1U);
   EXPECT_EQ(identification.effects.front().effect->id, "coulomb");
+}
+
+// Of twelve logs a third is searched first, then all: each has its say in the number.
+TEST(RoughNumbers, AModelThatExplainsAThirdIsFittedToAll) {
+  Case bench = manualBench();
+  for (const double p_register : {12.0, 24.0})
+    for (std::size_t i = 0; i < 3; ++i) {
+      bench.logs.push_back(bench.logs[i]);
+      bench.logs.back().p_register = p_register;
+    }
+  const Case given = measuredIn({}, bench, withEffect(bench, "coulomb", "friction", 0.08));
+  const Study study{given};
+  ASSERT_LT(FewerLogs{study}.study().evidence.logs.size(), study.evidence.logs.size());
+  const Identification all = identify(study), third = identify(FewerLogs{study}.study());
+  ASSERT_EQ(all.effects.size(), 1U) << namesIn(all);
+  ASSERT_EQ(third.effects.size(), 1U) << namesIn(third);
+  const Estimate &one = all.effects.front().estimates.front(), &other = third.effects.front().estimates.front();
+  EXPECT_NEAR(one.value, 0.08, 0.004);
+  EXPECT_NE(one.value, other.value) << "the other logs have their say";
 }
 
 bool isShown(const Case& given, std::string_view id) {
