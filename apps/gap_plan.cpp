@@ -35,9 +35,7 @@ int planForBody(const Arguments& given) {
   if (!given.against.empty() || !given.write.empty() || given.hangs_at_rad || !given.joint.empty() ||
       !given.results.empty())
     throw std::runtime_error(
-        "--against, --write, --hangs-at, --joint and report.json are for cases of one servo; leave them out for a "
-        "whole "
-        "robot");
+        "--against, --write, --hangs-at, --joint and report.json are for one servo; leave them out for a whole robot");
   const BodyCase read = readBodyCase(given.folder);
   const BodyIdentification found = identify(read);
   if (!given.json)
@@ -77,6 +75,8 @@ Identification identified(const Case& read, const Arguments& given, const Progre
 
 int planNext(const Arguments& given) {
   if (isBodyCase(given.folder)) return planForBody(given);
+  if (!given.against.empty() && !given.results.empty())
+    throw std::runtime_error("report.json and --against both say what is to be separated; leave one of them out");
   const Case read = readCase(given.folder);
   const ArmSetup stand = standFor(read, given);
   const ProgressCallback progress = [&](const std::string& what) {

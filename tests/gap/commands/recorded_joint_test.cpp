@@ -80,6 +80,10 @@ TEST_F(RecordedJoint, OfATwinWithAWeakGainLacksTheGain) {
   EXPECT_EQ(planned.status, 0) << planned.said;
   EXPECT_THAT(planned.said, testing::HasSubstr("verdict: named"));
   EXPECT_THAT(planned.said, testing::Not(testing::HasSubstr("misfit"))) << "the search is not repeated";
+  const Outcome both = shell(std::string{DARWINOP_BIN} + "/darwinop-gap plan " + case_ + " " +
+                             (folder_ / "report/report.json") + " --against backlash,deadband");
+  EXPECT_EQ(both.status, 2);
+  EXPECT_THAT(both.said, testing::HasSubstr("--against both"));
 }
 
 }  // namespace
