@@ -67,6 +67,8 @@ inline constexpr const char* kOtherModel =
     "already. Give the model of the search with --model";
 inline constexpr const char* kOtherData =
     ": the search was on other recordings than these: is it the report of another case of this name?";
+inline constexpr const char* kNoRivals =
+    "has no rivals; give the report.json that `darwinop gap run` writes beside its page";
 inline constexpr const char* kNotAResult = "not a result of darwinop gap";
 inline constexpr const char* kNumberGivenTwice = "this number is given twice";
 inline constexpr const char* kTypicalValue = "not given, the typical value";

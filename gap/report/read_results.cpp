@@ -104,7 +104,8 @@ Identification identifiedIn(std::string_view report, const std::string& file, co
       if (known == nullptr) throw std::runtime_error("has the effect " + id + ", which the catalogue does not have");
       found.effects.push_back({known, {}, 0});
     }
-    for (const json& rival : result.at("rivals"))
+    if (!result.contains("rivals")) throw std::runtime_error(messages::kNoRivals);
+    for (const json& rival : result["rivals"])
       found.rivals.push_back({rival.at("effects").get<std::vector<std::string>>(), rival.at("behind"), false});
     return found;
   });

@@ -239,7 +239,9 @@ TEST(PlanFromResults, BeginsWithTheNamesAndRivalsOfARun) {
   EXPECT_THAT(sentenceOf(read), HasSubstr("gremlins"));
   report.erase("rivals");
   report["effects"] = nlohmann::json::array();
-  EXPECT_THAT(sentenceOf(read), HasSubstr(messages::kNotAResult)) << "results.json has no rivals";
+  EXPECT_THAT(sentenceOf(read), HasSubstr(messages::kNoRivals)) << "results.json has no rivals";
+  report["rivals"] = 3;
+  EXPECT_THAT(sentenceOf(read), HasSubstr(messages::kNotAResult));
   report["case"] = "other";
   EXPECT_THAT(sentenceOf(read), HasSubstr("is of case other"));
 }
