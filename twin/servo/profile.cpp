@@ -17,7 +17,7 @@ double maxSpeedSteps(double distance) {
 }
 
 /// False where the speed after this period is certainly one from which the profile still stops in time: only a braking
-/// set point needs the root and the divisions of maxSpeedSteps().
+/// set point needs the root and the divisions of maxSpeedSteps(). Speed n stops within n(n+1)/2 + 1/8 speed steps.
 bool mayBrake(double speed, double step, double distance, double dt_s) {
   return speed > 0 && (speed * (speed + step) + step * step / 4) * dt_s > 2 * step * distance;
 }
