@@ -46,10 +46,17 @@ class RobustCost final : public ceres::CostFunction {
     const Eigen::VectorXd chain = plain.binaryExpr(out.head(rows), [this](double r, double root) {
       return root == 0 ? 1 : r / (root * std::sqrt(1 + r * r / (width_ * width_)));
     });
-    jacobian.topRows(rows) = chain.asDiagonal() * jacobianAt(problem_, x, plain, steps_);
+    jacobian_ = jacobianAt(problem_, x, plain, steps_);
+    jacobian_at_ = x;
+    jacobian.topRows(rows) = chain.asDiagonal() * jacobian_;
     for (Eigen::Index i = 0; i < unknowns; ++i)
       jacobian(rows + i, i) = priorWeight(problem_.unknowns()[static_cast<std::size_t>(i)], x[i]);
     return true;
+  }
+
+  /// The last one, if it was taken at `x`.
+  Eigen::MatrixXd takeJacobianAt(const Eigen::VectorXd& x) && {
+    return jacobian_at_ == x ? std::move(jacobian_) : Eigen::MatrixXd{};
   }
 
  private:
@@ -65,7 +72,9 @@ class RobustCost final : public ceres::CostFunction {
   const Problem& problem_;
   const Eigen::MatrixXd steps_;
   const double width_;
-  mutable Eigen::VectorXd known_at_, known_;  // one search, one thread
+  // One search, one thread.
+  mutable Eigen::VectorXd known_at_, known_, jacobian_at_;
+  mutable Eigen::MatrixXd jacobian_;
 };
 
 }  // namespace
@@ -75,8 +84,8 @@ double priorWeight(const Unknown& unknown, double x) {
   return (unknown.logarithmic ? unknown.fromSearch(x) : 1) / unknown.sigma;
 }
 
-Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
-                         double width) {
+Searched searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
+                  double width) {
   RobustCost cost{problem, steps, width};
   ceres::Problem::Options plain;
   plain.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -99,7 +108,8 @@ Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen:
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &robust, &summary);
-  return x;
+  Eigen::MatrixXd jacobian = std::move(cost).takeJacobianAt(x);
+  return {std::move(x), std::move(jacobian)};
 }
 
 }  // namespace darwinop::gap

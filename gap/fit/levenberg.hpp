@@ -8,9 +8,15 @@ namespace darwinop::gap {
 /// Derivative of the prior residual by the search variable, in standard deviations; 0: no prior.
 double priorWeight(const Unknown& unknown, double x);
 
+struct Searched {
+  Eigen::VectorXd x;
+  Eigen::MatrixXd
+      jacobian;  // of the residuals by x, without the prior, as jacobianAt(); empty where none was taken at x
+};
+
 /// Minimises Problem::cost() from `x`. `steps`: of the finite differences. `width`: standard deviations beyond which a
 /// residual counts linearly; Problem::cost() has thresholds::kRobustSigmas.
-Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
-                         double width);
+Searched searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
+                  double width);
 
 }  // namespace darwinop::gap

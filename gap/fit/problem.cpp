@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "gap/case/plausible.hpp"
@@ -40,10 +42,15 @@ double costOf(double residual) {
 
 void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const {
   const Hypothesis hypothesis = at(x);
-  std::vector<Eigen::Index> first_row(evidence_->logs.size(), 0);
-  for (std::size_t i = 1; i < first_row.size(); ++i) first_row[i] = first_row[i - 1] + evidence_->noise[i - 1].size();
+  const std::vector<Eigen::Index> first_row = firstRows();
   forEach(evidence_->logs.size(),
           [&](std::size_t i) { residualsOfLog(i, hypothesis, out.segment(first_row[i], evidence_->noise[i].size())); });
+}
+
+std::vector<Eigen::Index> Problem::firstRows() const {
+  std::vector<Eigen::Index> first_row(evidence_->logs.size(), 0);
+  for (std::size_t i = 1; i < first_row.size(); ++i) first_row[i] = first_row[i - 1] + evidence_->noise[i - 1].size();
+  return first_row;
 }
 
 void Problem::residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen::Ref<Eigen::VectorXd> out) const {
@@ -57,14 +64,29 @@ void Problem::residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen:
 }
 
 double Problem::cost(const Eigen::VectorXd& x) const {
-  return costUpTo(std::numeric_limits<double>::infinity(), x);
+  std::vector<std::size_t> order(evidence_->logs.size());
+  std::iota(order.begin(), order.end(), 0U);
+  return costUpTo(std::numeric_limits<double>::infinity(), x, order);
 }
 
-double Problem::costUpTo(double most, const Eigen::VectorXd& x) const {
+std::vector<std::size_t> Problem::costliestFirst(const Eigen::VectorXd& residuals) const {
+  const std::vector<Eigen::Index> first_row = firstRows();
+  std::vector<double> costs(first_row.size());
+  std::vector<std::size_t> order(first_row.size());
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    order[i] = i;
+    costs[i] = residuals.segment(first_row[i], evidence_->noise[i].size()).unaryExpr(&costOf).sum();
+  }
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return costs[i]; });
+  return order;
+}
+
+double Problem::costUpTo(double most, const Eigen::VectorXd& x, const std::vector<std::size_t>& order) const {
   const Hypothesis hypothesis = at(x);
   double cost = priorCost(x);
   Eigen::VectorXd of_log;
-  for (std::size_t i = 0; i < evidence_->logs.size() && cost <= most; ++i) {
+  for (const std::size_t i : order) {
+    if (cost > most) break;
     of_log.resize(evidence_->noise[i].size());
     residualsOfLog(i, hypothesis, of_log);
     cost += of_log.unaryExpr(&costOf).sum();

@@ -38,8 +38,10 @@ class Problem {
   void residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const;
   /// Sum of costOf() over all residuals and of the prior.
   [[nodiscard]] double cost(const Eigen::VectorXd& x) const;
-  /// The same, but infinity as soon as it exceeds `most`.
-  [[nodiscard]] double costUpTo(double most, const Eigen::VectorXd& x) const;
+  /// The same, but infinity as soon as it exceeds `most`. `order`: in which the logs of the evidence are simulated.
+  [[nodiscard]] double costUpTo(double most, const Eigen::VectorXd& x, const std::vector<std::size_t>& order) const;
+  /// Logs of the evidence, those with the most cost first: what is worse than these residuals shows there the soonest.
+  [[nodiscard]] std::vector<std::size_t> costliestFirst(const Eigen::VectorXd& residuals) const;
   [[nodiscard]] double priorCost(const Eigen::VectorXd& x) const;
   [[nodiscard]] Hypothesis at(const Eigen::VectorXd& x) const { return applied(hypothesis_, unknowns_, x.data()); }
   [[nodiscard]] Eigen::VectorXd inBounds(Eigen::VectorXd x) const;
@@ -51,6 +53,8 @@ class Problem {
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }
 
  private:
+  /// First residual of each log.
+  [[nodiscard]] std::vector<Eigen::Index> firstRows() const;
   void residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen::Ref<Eigen::VectorXd> out) const;
 
   const Evidence* evidence_;

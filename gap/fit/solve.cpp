@@ -51,10 +51,16 @@ Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
   return covariance;
 }
 
+/// What the data say about x there. The search may have taken the Jacobian at its end already.
 void lookAround(const Problem& problem, Fit& fit) {
-  fit.jacobian = jacobianAt(problem, fit.x, fit.residuals, fit.steps);
+  if (fit.jacobian.size() == 0) fit.jacobian = jacobianAt(problem, fit.x, fit.residuals, fit.steps);
   fit.information = informationOf(problem, fit);
   fit.covariance = covarianceOf(fit.information);
+}
+
+void moveTo(Searched end, Fit& fit) {
+  fit.x = std::move(end.x);
+  fit.jacobian = std::move(end.jacobian);
 }
 
 void look(const Problem& problem, Fit& fit) {
@@ -72,13 +78,13 @@ bool isFarOff(const Fit& fit) {
 void search(const Problem& problem, Fit& fit, int iterations) {
   const Fit before = fit;
   if (isFarOff(fit)) {
-    fit.x = searched(problem, fit.x, fit.steps, iterations, thresholds::kFarRobustSigmas);
-    fit.x = searched(problem, fit.x, fit.steps, (iterations + 1) / 2, thresholds::kRobustSigmas);
+    moveTo(searched(problem, fit.x, fit.steps, iterations, thresholds::kFarRobustSigmas), fit);
+    moveTo(searched(problem, fit.x, fit.steps, (iterations + 1) / 2, thresholds::kRobustSigmas), fit);
     look(problem, fit);
     if (fit.cost < before.cost) return;
     fit = before;
   }
-  fit.x = searched(problem, fit.x, fit.steps, iterations, thresholds::kRobustSigmas);
+  moveTo(searched(problem, fit.x, fit.steps, iterations, thresholds::kRobustSigmas), fit);
   look(problem, fit);
   if (fit.cost > before.cost) fit = before;
 }
@@ -91,10 +97,11 @@ bool jump(const Problem& problem, const Eigen::MatrixXd& steps, std::span<const 
     for (const double multiple : multiples) tries.push_back(problem.inBounds(fit.x + multiple * steps.col(i)));
   std::vector<double> costs(tries.size());
   const double worth = fit.cost - std::max(thresholds::kJumpGain, thresholds::kJumpGainShare * fit.cost);
-  forEach(tries.size(), [&](std::size_t i) { costs[i] = problem.costUpTo(worth, tries[i]); });
+  const std::vector<std::size_t> order = problem.costliestFirst(fit.residuals);
+  forEach(tries.size(), [&](std::size_t i) { costs[i] = problem.costUpTo(worth, tries[i], order); });
   const auto best = std::ranges::min_element(costs);
   if (best == costs.end() || !std::isfinite(*best)) return false;
-  fit.x = tries[static_cast<std::size_t>(best - costs.begin())];
+  moveTo({tries[static_cast<std::size_t>(best - costs.begin())], {}}, fit);
   look(problem, fit);
   return true;
 }
@@ -131,10 +138,14 @@ Fit solve(const Problem& problem, const Eigen::VectorXd& start, const SolveOptio
   if (options.iterations > 0)
     searchAndJump(
         problem, [&](const Fit& at) { return stepsToJump(problem, at); }, thresholds::kFirstJumps, options, fit);
-  if (!options.refine) return fit;
+  if (!options.refine) {
+    fit.jacobian.resize(0, 0);
+    return fit;
+  }
 
   lookAround(problem, fit);
   fit.steps = stepsAlong(problem, fit.information);
+  fit.jacobian.resize(0, 0);  // by the steps before
   if (options.iterations > 0)
     searchAndJump(
         problem, [steps = fit.steps](const Fit&) { return steps; }, thresholds::kRefinedJumps, options, fit);

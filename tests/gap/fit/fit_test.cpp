@@ -114,6 +114,8 @@ TEST(Solve, FindsAMovedNumberAndItsInterval) {
   EXPECT_GT(sigma, 1e-5);
   EXPECT_LT(sigma, 0.005) << "the logs, not the prior of 2 %, determine it";
   EXPECT_LE(fit.cost, problem.cost(problem.expected()));
+  EXPECT_EQ(fit.jacobian, jacobianAt(problem, fit.x, fit.residuals, fit.steps))
+      << "of an earlier point, or other steps";
 }
 
 TEST(Problem, StopsWhereACostExceedsItsBound) {
@@ -125,9 +127,16 @@ TEST(Problem, StopsWhereACostExceedsItsBound) {
   problem.residuals(x, all);
   const double cost = all.unaryExpr(&costOf).sum() + problem.priorCost(x);
   EXPECT_NEAR(problem.cost(x), cost, 1e-9 * cost);
-  EXPECT_NEAR(problem.costUpTo(1.001 * cost, x), cost, 1e-9 * cost);
-  EXPECT_TRUE(std::isinf(problem.costUpTo(0.999 * cost, x)));
-  EXPECT_TRUE(std::isinf(problem.costUpTo(-1, x)));
+  const std::vector<std::size_t> order = problem.costliestFirst(all);
+  EXPECT_NEAR(problem.costUpTo(1.001 * cost, x, order), cost, 1e-9 * cost);
+  EXPECT_TRUE(std::isinf(problem.costUpTo(0.999 * cost, x, order)));
+  EXPECT_TRUE(std::isinf(problem.costUpTo(-1, x, order)));
+  double before = cost;
+  for (const std::size_t log : order) {
+    const double here = problem.costUpTo(2 * cost, x, {log}) - problem.priorCost(x);
+    EXPECT_LE(here, before) << "log " << log;
+    before = here;
+  }
 }
 
 // Torque constant, resistance, payload and length together leave hardly a trace, and what is left of the sum of their
