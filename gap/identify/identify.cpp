@@ -71,29 +71,30 @@ struct TwoEffects {
   FittedModel firmware;                     // those of them that are effects of the firmware
 };
 
-TwoEffects searchTwoEffects(const Study& study, IdentifyOptions options) {
+TwoEffects searchTwoEffects(const Study& study, const Study& few, IdentifyOptions options) {
   options.most_effects = 2;
-  Selection free{study, options, Nuisance::kFree};
-  free.run();
-  const FittedModel& model = free.model();
+  Selection some{few, options, Nuisance::kFree};
+  some.run();
+  const FittedModel& model = some.model();
   TwoEffects found{std::nullopt,
-                   refit(study, inTheFirmware(model.effects), Nuisance::kFree, model.problem, model.fit, 1)};
-  if (explains(free)) found.explained = free.result();
-  return found;
-}
-
-/// What leaves only noise in all logs leaves only noise in some. Real servos have more effects than two: of many logs
-/// a few show that in a fraction of the time.
-TwoEffects searchFewLogsFirst(const Study& study, const Study& few, const IdentifyOptions& options) {
-  TwoEffects found = searchTwoEffects(few, options);
-  if (&few != &study && found.explained) return searchTwoEffects(study, options);
+                   refit(few, inTheFirmware(model.effects), Nuisance::kFree, model.problem, model.fit, 1)};
+  if (!explains(some)) return found;
+  if (&few == &study) {
+    found.explained = some.result();
+    return found;
+  }
+  // What leaves only noise in all logs leaves only noise in some: real servos have more effects than two, and of many
+  // logs a few show that in a fraction of the time.
+  Selection all{study, options, Nuisance::kFree};
+  all.adopt(some);
+  if (explains(all)) return searchTwoEffects(study, study, options);
   return found;
 }
 
 Identification identifyOnRoughBaseline(const Study& study, const IdentifyOptions& options) {
   options.progress("roughly known motor: numbers of the baseline move within their priors");
   const FewerLogs fewer{study};
-  const TwoEffects two = searchFewLogsFirst(study, fewer.study(), options);
+  const TwoEffects two = searchTwoEffects(study, fewer.study(), options);
   if (two.explained) return *two.explained;
   options.progress("no effect explains the residual: selecting effects by cross-validation");
   RoughSelection rough{study, fewer.study(), options, two.firmware};
