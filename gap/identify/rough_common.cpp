@@ -73,12 +73,12 @@ RoughSelection::RoughSelection(const Study& study, const Study& few, const Ident
       options_{options},
       floor_rad_{readingSigma(study.data.model.servo)},
       candidates_{candidateEffectsOf(study.data)},
-      model_{refitWithDiscrepancy(from.effects,
-                                  refitWithDiscrepancy(study, from.effects, restarted(from.effects, from)))} {}
+      model_{
+          refitWithDiscrepancy(from.effects, refitWithDiscrepancy(study, from.effects, restarted(from.effects, from)))},
+      errors_{leaveOneOutErrors(model_)} {}
 
 void RoughSelection::addCommonEffects() {
   options_.progress("effects that every servo has: friction of three kinds, encoder offset");
-  const std::vector<double> before = leaveOneOutErrors(model_);
   const FittedModel bare = model_;
   Effects common = model_.effects;
   for (const twin::EffectInfo* const effect : candidates_)
@@ -91,7 +91,11 @@ void RoughSelection::addCommonEffects() {
     model_ = fitFromStarts(common, bare);
     dropNeedless();
   }
-  if (!crossValidate(before, leaveOneOutErrors(model_), floor_rad_).improves()) model_ = bare;
+  std::vector<double> with = leaveOneOutErrors(model_);
+  if (crossValidate(errors_, with, floor_rad_).improves())
+    errors_ = std::move(with);
+  else
+    model_ = bare;
 }
 
 /// Fitted to a few logs from each start; the one with the least error in all of them is fitted to all.

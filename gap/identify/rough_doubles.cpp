@@ -62,21 +62,20 @@ std::vector<FittedModel> fitEach(const FittedModel& model, const Trial& trial) {
 
 }  // namespace
 
-/// Worse neither on the held-out logs nor on those of the fit, each left out. `errors`: of the present model.
-bool RoughSelection::predictsAsWell(const FittedModel& other, const std::vector<double>& errors) const {
+/// Worse neither on the held-out logs nor on those of the fit, each left out.
+bool RoughSelection::predictsAsWell(const FittedModel& other) const {
   const twin::EffectInfo& effect = *other.effects.back().info;
   if (isAtItsBound(other, effect) || isNegligible(other, effect) || worsensHeldOut(other)) return false;
-  return !crossValidate(leaveOneOutErrors(other), errors, floor_rad_).improves();
+  return !crossValidate(leaveOneOutErrors(other), errors_, floor_rad_).improves();
 }
 
 void RoughSelection::noteDoubles() {
   const std::vector<Trial> trials = trialsOf(model_, candidates_, effectsNotShown(study_.data));
   if (trials.empty()) return;
   options_.progress("effects that these logs do not show: do others predict as well in their place?");
-  const std::vector<double> errors = leaveOneOutErrors(model_);
   for (const Trial& trial : trials)
     for (const FittedModel& other : fitEach(model_, trial))
-      if (predictsAsWell(other, errors)) rivals_.push_back({idsOf(other.effects), 0, false});
+      if (predictsAsWell(other)) rivals_.push_back({idsOf(other.effects), 0, false});
 }
 
 }  // namespace darwinop::gap

@@ -25,7 +25,6 @@ void RoughSelection::run() {
 }
 
 std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<FittedModel>& candidates) {
-  const std::vector<double> errors = leaveOneOutErrors(model_);
   std::vector<Tested> helping;
   std::size_t tested = 0;
   rejected_.clear();
@@ -42,7 +41,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
     ++tested;
     candidate = refitUnderNoiseOf(candidate, model_, true);
     std::vector<double> with = leaveOneOutErrors(candidate);
-    const CrossValidation validation = crossValidate(errors, with, floor_rad_);
+    const CrossValidation validation = crossValidate(errors_, with, floor_rad_);
     char text[160];
     std::snprintf(text, sizeof text, "%s: leave-one-log-out prediction error ratio %.2f, %.2f to %.2f",
                   std::string{effect.id}.c_str(), std::exp(validation.mean),
@@ -63,7 +62,8 @@ void RoughSelection::noteRivals(const std::vector<Tested>& tested, const Tested*
   for (const Tested& one : tested) again.push_back(one.model->effects.back().info->id);
   carryOn(rivals_, again, best == nullptr ? "" : best->model->effects.back().info->id);
   for (const Tested& other : tested) {
-    if (&other == best || (best != nullptr && crossValidate(other.errors, best->errors, floor_rad_).improves()))
+    if (&other == best || other.refused ||
+        (best != nullptr && crossValidate(other.errors, best->errors, floor_rad_).improves()))
       continue;
     const Effects& effects = other.model->effects;
     rivals_.push_back({idsOf(best == nullptr ? effects : neededOf(*other.model, best->model->effects)), 0, false});
@@ -95,12 +95,15 @@ bool RoughSelection::worsensHeldOut(const FittedModel& with) const {
 // joint to the end of its range, and without that friction nothing was left that explained its logs.
 bool RoughSelection::accept(FittedModel with) {
   const std::size_t effects = with.effects.size();
-  const FittedModel before = std::exchange(model_, std::move(with));
+  FittedModel before = std::exchange(model_, std::move(with));
   dropNeedless();
   dropAtBounds();
-  const bool helps = model_.effects.size() == effects ||
-                     crossValidate(leaveOneOutErrors(before), leaveOneOutErrors(model_), floor_rad_).improves();
-  if (!helps) model_ = before;
+  std::vector<double> errors = leaveOneOutErrors(model_);
+  const bool helps = model_.effects.size() == effects || crossValidate(errors_, errors, floor_rad_).improves();
+  if (helps)
+    errors_ = std::move(errors);
+  else
+    model_ = std::move(before);
   return helps;
 }
 
@@ -108,16 +111,13 @@ bool RoughSelection::addRareEffect() {
   std::vector<FittedModel> candidates = shortlist(model_, Screen{model_, candidates_}, true);
   std::vector<Tested> helping = testRareEffects(candidates);
   std::ranges::stable_sort(helping, std::greater{}, [](const Tested& one) { return one.validation.mean; });
-  const auto may_be_added = [&](const Tested& one) { return one.validation.improves() && !worsensHeldOut(*one.model); };
-  for (auto best = std::ranges::find_if(helping, may_be_added); best != helping.end();
-       best = std::ranges::find_if(helping, may_be_added)) {
-    const twin::EffectInfo& added = *best->model->effects.back().info;
-    FittedModel with = refitWithDiscrepancy(best->model->effects, *best->model);
-    if (isAtItsBound(with, added) || !accept(std::move(with))) {
-      helping.erase(best);
-      continue;
-    }
-    if (has(model_.effects, added)) noteRivals(helping, &*best);
+  for (Tested& one : helping) {
+    if (!one.validation.improves() || worsensHeldOut(*one.model)) continue;
+    const twin::EffectInfo& added = *one.model->effects.back().info;
+    FittedModel with = refitWithDiscrepancy(one.model->effects, *one.model);
+    one.refused = isAtItsBound(with, added) || !accept(std::move(with));
+    if (one.refused) continue;
+    if (has(model_.effects, added)) noteRivals(helping, &one);
     return true;
   }
   noteRivals(helping, nullptr);

@@ -41,6 +41,7 @@ class RoughSelection {
     const FittedModel* model = nullptr;
     CrossValidation validation;
     std::vector<double> errors;  // of each log, left out
+    bool refused = false;  // at the end of its range, or nothing is gained once what is needless beside it is gone
   };
 
   void addCommonEffects();
@@ -54,7 +55,7 @@ class RoughSelection {
   [[nodiscard]] Effects neededOf(const FittedModel& rival, const Effects& offered) const;
   /// Of the effects that these logs cannot show: the doubles that predict the logs as well in their place.
   void noteDoubles();
-  [[nodiscard]] bool predictsAsWell(const FittedModel& other, const std::vector<double>& errors) const;
+  [[nodiscard]] bool predictsAsWell(const FittedModel& other) const;
   [[nodiscard]] bool worsensHeldOut(const FittedModel& with) const;
   void dropNeedless();
   void dropAtBounds();
@@ -68,6 +69,7 @@ class RoughSelection {
   double floor_rad_;  // of the encoder
   std::vector<const twin::EffectInfo*> candidates_;
   FittedModel model_;
+  std::vector<double> errors_;  // of model_, each log left out
   std::vector<Rival> rivals_;
   std::vector<RejectedEffect> rejected_;
 };
