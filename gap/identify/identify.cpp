@@ -11,6 +11,7 @@
 #include "gap/identify/rough_selection.hpp"
 #include "gap/identify/selection.hpp"
 #include "gap/identify/split_search.hpp"
+#include "gap/identify/two_effects.hpp"
 #include "gap/plant/baseline_alias.hpp"
 
 namespace darwinop::gap {
@@ -43,52 +44,6 @@ std::optional<Selection> withFreeNumbers(const Selection& exact, const Selection
 bool relyOnABaselineNumber(const Case& data, const Effects& effects) {
   return effects.size() > 1 &&
          std::ranges::any_of(effects, [&](const ChosenEffect& effect) { return aliasesAPrior(data, *effect.info); });
-}
-
-/// Effects that loads and goals alone show: no number of the mechanics can stand in for them.
-Effects inTheFirmware(const Effects& effects) {
-  Effects firmware;
-  for (const ChosenEffect& effect : effects)
-    if (effect.info->part == twin::LoopPart::kCommand || effect.info->part == twin::LoopPart::kController)
-      firmware.push_back({effect.info});
-  return firmware;
-}
-
-/// True if an effect is at the end of its range. Where an arm may get stuck or not, so much counts as noise that it
-/// can leave nothing else.
-bool standsForSomethingElse(const FittedModel& found) {
-  return std::ranges::any_of(found.effects,
-                             [&](const ChosenEffect& effect) { return isAtItsBound(found, *effect.info); });
-}
-
-bool explains(const Selection& selection) {
-  return selection.leavesNoise() && !standsForSomethingElse(selection.model());
-}
-
-/// At most two effects, the numbers of the baseline free.
-struct TwoEffects {
-  std::optional<Identification> explained;  // if they leave only noise
-  FittedModel firmware;                     // those of them that are effects of the firmware
-};
-
-TwoEffects searchTwoEffects(const Study& study, const Study& few, IdentifyOptions options) {
-  options.most_effects = 2;
-  Selection some{few, options, Nuisance::kFree};
-  some.run();
-  const FittedModel& model = some.model();
-  TwoEffects found{std::nullopt,
-                   refit(few, inTheFirmware(model.effects), Nuisance::kFree, model.problem, model.fit, 1)};
-  if (!explains(some)) return found;
-  if (&few == &study) {
-    found.explained = some.result();
-    return found;
-  }
-  // What leaves only noise in all logs leaves only noise in some: real servos have more effects than two, and of many
-  // logs a few show that in a fraction of the time.
-  Selection all{study, options, Nuisance::kFree};
-  all.adopt(some);
-  if (explains(all)) return searchTwoEffects(study, study, options);
-  return found;
 }
 
 Identification identifyOnRoughBaseline(const Study& study, const IdentifyOptions& options) {

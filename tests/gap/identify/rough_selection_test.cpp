@@ -12,6 +12,7 @@
 #include "gap/identify/rivals.hpp"
 #include "gap/identify/shown.hpp"
 #include "gap/identify/supply_check.hpp"
+#include "gap/identify/two_effects.hpp"
 #include "gap/small_case.hpp"
 
 namespace darwinop::gap {
@@ -166,14 +167,19 @@ TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   EXPECT_EQ(identification.effects.front().effect->id, "coulomb");
 }
 
-// Of twelve logs a third is searched first, then all: each has its say in the number.
-TEST(RoughNumbers, AModelThatExplainsAThirdIsFittedToAll) {
+Case benchOfTwelveLogs() {
   Case bench = manualBench();
   for (const double p_register : {12.0, 24.0})
     for (std::size_t i = 0; i < 3; ++i) {
       bench.logs.push_back(bench.logs[i]);
       bench.logs.back().p_register = p_register;
     }
+  return bench;
+}
+
+// Of twelve logs a third is searched first, then all: each has its say in the number.
+TEST(RoughNumbers, AModelThatExplainsAThirdIsFittedToAll) {
+  const Case bench = benchOfTwelveLogs();
   const Case given = measuredIn({}, bench, withEffect(bench, "coulomb", "friction", 0.08));
   const Study study{given};
   ASSERT_LT(FewerLogs{study}.study().evidence.logs.size(), study.evidence.logs.size());
@@ -183,6 +189,20 @@ TEST(RoughNumbers, AModelThatExplainsAThirdIsFittedToAll) {
   const Estimate &one = all.effects.front().estimates.front(), &other = third.effects.front().estimates.front();
   EXPECT_NEAR(one.value, 0.08, 0.004);
   EXPECT_NE(one.value, other.value) << "the other logs have their say";
+}
+
+TEST(TwoEffects, ThatExplainAThirdOfTheLogsAreRefutedByTheOthers) {
+  const Case bench = benchOfTwelveLogs();
+  const Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.08);
+  const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};
+  const Case calm = measuredIn({}, bench, truth);
+  const Study of_calm{calm};
+  const FewerLogs third{of_calm};
+  Case given = measuredIn(gusts, bench, truth);
+  for (const std::size_t log : third.study().evidence.logs) given.logs[log] = calm.logs[log];
+  const IdentifyOptions options;
+  EXPECT_TRUE(searchTwoEffects(third.study(), third.study(), options).explained.has_value());
+  EXPECT_FALSE(searchTwoEffects(Study{given}, third.study(), options).explained.has_value());
 }
 
 bool isShown(const Case& given, std::string_view id) {
