@@ -54,9 +54,9 @@ class RobustCost final : public ceres::CostFunction {
     return true;
   }
 
-  /// The last one, if it was taken at `x`.
-  Eigen::MatrixXd takeJacobianAt(const Eigen::VectorXd& x) && {
-    return jacobian_at_ == x ? std::move(jacobian_) : Eigen::MatrixXd{};
+  /// The last Jacobian, if it was taken at `x`; else empty.
+  [[nodiscard]] Eigen::MatrixXd knownJacobian(const Eigen::VectorXd& x) const {
+    return jacobian_at_.size() == x.size() && jacobian_at_ == x ? jacobian_ : Eigen::MatrixXd{};
   }
 
  private:
@@ -108,8 +108,7 @@ Searched searched(const Problem& problem, Eigen::VectorXd x, const Eigen::Matrix
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &robust, &summary);
-  Eigen::MatrixXd jacobian = std::move(cost).takeJacobianAt(x);
-  return {std::move(x), std::move(jacobian)};
+  return {x, cost.knownJacobian(x)};
 }
 
 }  // namespace darwinop::gap

@@ -10,8 +10,7 @@ double priorWeight(const Unknown& unknown, double x);
 
 struct Searched {
   Eigen::VectorXd x;
-  Eigen::MatrixXd
-      jacobian;  // of the residuals by x, without the prior, as jacobianAt(); empty where none was taken at x
+  Eigen::MatrixXd jacobian;  // jacobianAt(x); empty if the search took none there
 };
 
 /// Minimises Problem::cost() from `x`. `steps`: of the finite differences. `width`: standard deviations beyond which a

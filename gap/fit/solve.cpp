@@ -51,13 +51,14 @@ Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
   return covariance;
 }
 
-/// What the data say about x there. The search may have taken the Jacobian at its end already.
+/// Jacobian, information and covariance at x; a search knows the Jacobian at its end already.
 void lookAround(const Problem& problem, Fit& fit) {
   if (fit.jacobian.size() == 0) fit.jacobian = jacobianAt(problem, fit.x, fit.residuals, fit.steps);
   fit.information = informationOf(problem, fit);
   fit.covariance = covarianceOf(fit.information);
 }
 
+/// To a point, with its Jacobian if it is known.
 void moveTo(Searched end, Fit& fit) {
   fit.x = std::move(end.x);
   fit.jacobian = std::move(end.jacobian);

@@ -114,8 +114,17 @@ TEST(Solve, FindsAMovedNumberAndItsInterval) {
   EXPECT_GT(sigma, 1e-5);
   EXPECT_LT(sigma, 0.005) << "the logs, not the prior of 2 %, determine it";
   EXPECT_LE(fit.cost, problem.cost(problem.expected()));
-  EXPECT_EQ(fit.jacobian, jacobianAt(problem, fit.x, fit.residuals, fit.steps))
-      << "of an earlier point, or other steps";
+}
+
+TEST(Solve, GivesTheJacobianOfItsEndAndItsSteps) {
+  const Case given = measured(smallBench(), baselineOf(smallBench()), 5);
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
+  const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};
+  for (const int iterations : {0, 1, 12}) {
+    const Fit fit = solve(problem, problem.expected(), {.iterations = iterations});
+    EXPECT_EQ(fit.jacobian, jacobianAt(problem, fit.x, fit.residuals, fit.steps)) << iterations;
+  }
+  EXPECT_EQ(solve(problem, problem.expected(), {.refine = false}).jacobian.size(), 0) << "none was wanted";
 }
 
 TEST(Problem, StopsWhereACostExceedsItsBound) {
