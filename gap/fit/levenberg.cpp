@@ -20,8 +20,9 @@ double rootOfCost(double residual, double width) {
 /// All residuals, each as the root of its cost, so that a plain sum of squares is robust; then the priors.
 class RobustCost final : public ceres::CostFunction {
  public:
-  RobustCost(const Problem& problem, Eigen::MatrixXd steps, double width)
+  RobustCost(const Problem& problem, const Searched& from, Eigen::MatrixXd steps, double width)
       : problem_{problem}, steps_{std::move(steps)}, width_{width} {
+    if (from.jacobian.size() != 0) jacobian_at_ = from.x, jacobian_ = from.jacobian;
     const int unknowns = static_cast<int>(problem.unknowns().size());
     set_num_residuals(static_cast<int>(problem.evidence().size()) + unknowns);
     mutable_parameter_block_sizes()->push_back(unknowns);
@@ -46,8 +47,10 @@ class RobustCost final : public ceres::CostFunction {
     const Eigen::VectorXd chain = plain.binaryExpr(out.head(rows), [this](double r, double root) {
       return root == 0 ? 1 : r / (root * std::sqrt(1 + r * r / (width_ * width_)));
     });
-    jacobian_ = jacobianAt(problem_, x, plain, steps_);
-    jacobian_at_ = x;
+    if (knownJacobian(x).size() == 0) {
+      jacobian_ = jacobianAt(problem_, x, plain, steps_);
+      jacobian_at_ = x;
+    }
     jacobian.topRows(rows) = chain.asDiagonal() * jacobian_;
     for (Eigen::Index i = 0; i < unknowns; ++i)
       jacobian(rows + i, i) = priorWeight(problem_.unknowns()[static_cast<std::size_t>(i)], x[i]);
@@ -84,9 +87,9 @@ double priorWeight(const Unknown& unknown, double x) {
   return (unknown.logarithmic ? unknown.fromSearch(x) : 1) / unknown.sigma;
 }
 
-Searched searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
-                  double width) {
-  RobustCost cost{problem, steps, width};
+Searched searched(const Problem& problem, Searched from, const Eigen::MatrixXd& steps, int iterations, double width) {
+  RobustCost cost{problem, from, steps, width};
+  Eigen::VectorXd& x = from.x;
   ceres::Problem::Options plain;
   plain.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem robust{plain};

@@ -10,12 +10,11 @@ double priorWeight(const Unknown& unknown, double x);
 
 struct Searched {
   Eigen::VectorXd x;
-  Eigen::MatrixXd jacobian;  // jacobianAt(x); empty if the search took none there
+  Eigen::MatrixXd jacobian;  // jacobianAt(x); empty if it is not known
 };
 
-/// Minimises Problem::cost() from `x`. `steps`: of the finite differences. `width`: standard deviations beyond which a
-/// residual counts linearly; Problem::cost() has thresholds::kRobustSigmas.
-Searched searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
-                  double width);
+/// Minimises Problem::cost() from a point, whose Jacobian is not taken again. `steps`: of the finite differences.
+/// `width`: standard deviations beyond which a residual counts linearly; Problem::cost() has thresholds::kRobustSigmas.
+Searched searched(const Problem& problem, Searched from, const Eigen::MatrixXd& steps, int iterations, double width);
 
 }  // namespace darwinop::gap

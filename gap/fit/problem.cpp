@@ -18,6 +18,12 @@ Eigen::Index Evidence::size() const {
   return all;
 }
 
+std::vector<Eigen::Index> Evidence::firstRows() const {
+  std::vector<Eigen::Index> first_row(logs.size(), 0);
+  for (std::size_t i = 1; i < first_row.size(); ++i) first_row[i] = first_row[i - 1] + noise[i - 1].size();
+  return first_row;
+}
+
 double Evidence::logDeterminant() const {
   double all = 0;
   for (const LogNoise& log : noise) all += log.logDeterminant();
@@ -42,15 +48,9 @@ double costOf(double residual) {
 
 void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const {
   const Hypothesis hypothesis = at(x);
-  const std::vector<Eigen::Index> first_row = firstRows();
+  const std::vector<Eigen::Index> first_row = evidence_->firstRows();
   forEach(evidence_->logs.size(),
           [&](std::size_t i) { residualsOfLog(i, hypothesis, out.segment(first_row[i], evidence_->noise[i].size())); });
-}
-
-std::vector<Eigen::Index> Problem::firstRows() const {
-  std::vector<Eigen::Index> first_row(evidence_->logs.size(), 0);
-  for (std::size_t i = 1; i < first_row.size(); ++i) first_row[i] = first_row[i - 1] + evidence_->noise[i - 1].size();
-  return first_row;
 }
 
 void Problem::residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen::Ref<Eigen::VectorXd> out) const {
@@ -70,7 +70,7 @@ double Problem::cost(const Eigen::VectorXd& x) const {
 }
 
 std::vector<std::size_t> Problem::costliestFirst(const Eigen::VectorXd& residuals) const {
-  const std::vector<Eigen::Index> first_row = firstRows();
+  const std::vector<Eigen::Index> first_row = evidence_->firstRows();
   std::vector<double> costs(first_row.size());
   std::vector<std::size_t> order(first_row.size());
   for (std::size_t i = 0; i < costs.size(); ++i) {

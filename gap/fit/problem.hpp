@@ -19,6 +19,8 @@ struct Evidence {
   Discrepancy discrepancy = {};
 
   [[nodiscard]] Eigen::Index size() const;
+  /// First residual of each log.
+  [[nodiscard]] std::vector<Eigen::Index> firstRows() const;
   [[nodiscard]] double logDeterminant() const;
 };
 /// The logs of this role, copies of a log once, with the noise that `hypothesis` predicts. `plant` and `data` must
@@ -53,8 +55,6 @@ class Problem {
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }
 
  private:
-  /// First residual of each log.
-  [[nodiscard]] std::vector<Eigen::Index> firstRows() const;
   void residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen::Ref<Eigen::VectorXd> out) const;
 
   const Evidence* evidence_;

@@ -79,13 +79,13 @@ bool isFarOff(const Fit& fit) {
 void search(const Problem& problem, Fit& fit, int iterations) {
   const Fit before = fit;
   if (isFarOff(fit)) {
-    moveTo(searched(problem, fit.x, fit.steps, iterations, thresholds::kFarRobustSigmas), fit);
-    moveTo(searched(problem, fit.x, fit.steps, (iterations + 1) / 2, thresholds::kRobustSigmas), fit);
+    moveTo(searched(problem, {fit.x, fit.jacobian}, fit.steps, iterations, thresholds::kFarRobustSigmas), fit);
+    moveTo(searched(problem, {fit.x, fit.jacobian}, fit.steps, (iterations + 1) / 2, thresholds::kRobustSigmas), fit);
     look(problem, fit);
     if (fit.cost < before.cost) return;
     fit = before;
   }
-  moveTo(searched(problem, fit.x, fit.steps, iterations, thresholds::kRobustSigmas), fit);
+  moveTo(searched(problem, {fit.x, fit.jacobian}, fit.steps, iterations, thresholds::kRobustSigmas), fit);
   look(problem, fit);
   if (fit.cost > before.cost) fit = before;
 }
@@ -134,6 +134,7 @@ Fit solve(const Problem& problem, const Eigen::VectorXd& start, const SolveOptio
   Fit fit;
   fit.x = start;
   fit.steps = options.steps.cols() == start.size() ? options.steps : firstSteps(problem);
+  fit.jacobian = options.jacobian;
   look(problem, fit);
   if (start.size() == 0) return fit;
   if (options.iterations > 0)

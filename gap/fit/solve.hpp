@@ -20,8 +20,9 @@ struct Fit {
 
 struct SolveOptions {
   int iterations = thresholds::kSolverIterations;
-  bool refine = true;          // second pass along the eigenvectors; else no Jacobian and no covariance
-  Eigen::MatrixXd steps = {};  // of the finite differences; empty: first steps
+  bool refine = true;             // second pass along the eigenvectors; else no Jacobian and no covariance
+  Eigen::MatrixXd steps = {};     // of the finite differences; empty: first steps
+  Eigen::MatrixXd jacobian = {};  // at the start, by these steps; empty: not known
 };
 
 /// Starts at `start`; the result is never worse. From far off, large residuals count in full at first, so that a swing

@@ -6,21 +6,29 @@
 #include <variant>
 #include <vector>
 
+#include "gap/parallel/parallel.hpp"
 #include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-Evidence leftOut(const Evidence& all, const std::vector<std::size_t>& left_out) {
-  Evidence rest{.plant = all.plant, .given = all.given, .logs = {}, .noise = {}, .discrepancy = all.discrepancy};
-  for (std::size_t i = 0; i < all.logs.size(); ++i) {
-    if (std::ranges::find(left_out, i) != left_out.end()) continue;
-    rest.logs.push_back(all.logs[i]);
-    rest.noise.push_back(all.noise[i]);
+/// What is left of a fit's evidence without some of its logs.
+struct Rest {
+  Evidence evidence;
+  std::vector<Eigen::Index> rows;  // of the fit's residuals
+
+  Rest(const Evidence& all, const std::vector<std::size_t>& left_out)
+      : evidence{.plant = all.plant, .given = all.given, .logs = {}, .noise = {}, .discrepancy = all.discrepancy} {
+    const std::vector<Eigen::Index> first_row = all.firstRows();
+    for (std::size_t i = 0; i < all.logs.size(); ++i) {
+      if (std::ranges::find(left_out, i) != left_out.end()) continue;
+      evidence.logs.push_back(all.logs[i]);
+      evidence.noise.push_back(all.noise[i]);
+      for (Eigen::Index row = 0; row < all.noise[i].size(); ++row) rows.push_back(first_row[i] + row);
+    }
   }
-  return rest;
-}
+};
 
 /// The effect as the baseline has it, or not at all.
 Eigen::VectorXd withoutEffect(const FittedModel& fitted, const ChosenEffect& effect, Eigen::VectorXd x) {
@@ -37,30 +45,34 @@ Eigen::VectorXd withoutEffect(const FittedModel& fitted, const ChosenEffect& eff
 
 /// The fit to all logs, without those effects that the other logs do not need: a fit to them would leave the numbers
 /// where the left-out log has put them, and predict that log by itself.
-Eigen::VectorXd startOf(const FittedModel& fitted, const Problem& others) {
+Eigen::VectorXd startOf(const FittedModel& fitted, const Problem& others, const Eigen::VectorXd& residuals) {
   Eigen::VectorXd x = fitted.fit.x;
-  double cost = others.cost(x);
+  double cost = residuals.unaryExpr(&costOf).sum() + fitted.fit.prior;
+  const std::vector<std::size_t> order = others.costliestFirst(residuals);
   for (const ChosenEffect& effect : fitted.effects) {
     const Eigen::VectorXd bare = withoutEffect(fitted, effect, x);
-    if (const double without = others.cost(bare); without <= cost) x = bare, cost = without;
+    if (const double without = others.costUpTo(cost, bare, order); without <= cost) x = bare, cost = without;
   }
   return x;
 }
 
 /// Mean |position error| of these logs, rad, when the others alone are fitted.
 double errorOn(const FittedModel& fitted, const std::vector<std::size_t>& left_out) {
-  const Evidence rest = leftOut(*fitted.evidence, left_out);
-  const Problem problem{rest, fitted.problem.hypothesis(), fitted.problem.unknowns()};
-  const Fit fit =
-      solve(problem, startOf(fitted, problem),
-            {.iterations = thresholds::kCrossValidationIterations, .refine = false, .steps = fitted.fit.steps});
+  const Rest rest{*fitted.evidence, left_out};
+  const Problem problem{rest.evidence, fitted.problem.hypothesis(), fitted.problem.unknowns()};
+  const Eigen::VectorXd start = startOf(fitted, problem, fitted.fit.residuals(rest.rows));
+  SolveOptions options{
+      .iterations = thresholds::kCrossValidationIterations, .refine = false, .steps = fitted.fit.steps};
+  if (fitted.fit.jacobian.size() != 0 && start == fitted.fit.x)
+    options.jacobian = fitted.fit.jacobian(rest.rows, Eigen::all);
+  const Fit fit = solve(problem, start, options);
   double sum = 0;
   double count = 0;
   for (const std::size_t one : left_out) {
     const std::size_t log = fitted.evidence->logs[one];
-    const Trajectory& measured = rest.given->logs[log];
+    const Trajectory& measured = rest.evidence.given->logs[log];
     Trace trace;
-    rest.plant->rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
+    rest.evidence.plant->rollOut(*rest.evidence.given, log, problem.at(fit.x), {}, trace);
     for (std::size_t row = 0; row < measured.rows(); ++row)
       if (const double error = measured.position_rad[row] - trace[kPositionSignal][row]; !std::isnan(error))
         sum += std::abs(error), ++count;
@@ -83,9 +95,9 @@ std::vector<std::vector<std::size_t>> independentLogs(const Evidence& evidence) 
 }
 
 std::vector<double> leaveOneOutErrors(const FittedModel& fitted) {
-  std::vector<double> errors;
-  for (const std::vector<std::size_t>& group : independentLogs(*fitted.evidence))
-    errors.push_back(errorOn(fitted, group));
+  const std::vector<std::vector<std::size_t>> groups = independentLogs(*fitted.evidence);
+  std::vector<double> errors(groups.size());
+  forEach(groups.size(), [&](std::size_t i) { errors[i] = errorOn(fitted, groups[i]); });
   return errors;
 }
 

@@ -127,6 +127,22 @@ TEST(Solve, GivesTheJacobianOfItsEndAndItsSteps) {
   EXPECT_EQ(solve(problem, problem.expected(), {.refine = false}).jacobian.size(), 0) << "none was wanted";
 }
 
+TEST(Solve, TakesNoJacobianAtAStartWhereItIsKnown) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 3);
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
+  const Problem problem{evidence, baselineOf(given), unknownsOf(*twin::findEffect("encoder_offset"))};
+  const Eigen::VectorXd start = problem.inBounds(problem.expected());
+  SolveOptions options{.refine = false};
+  const Fit found = solve(problem, start, options);
+  Eigen::VectorXd residuals(evidence.size());
+  problem.residuals(start, residuals);
+  options.jacobian = jacobianAt(problem, start, residuals, firstSteps(problem));
+  EXPECT_EQ(solve(problem, start, options).x, found.x);
+  options.jacobian *= -1;  // which leads nowhere
+  EXPECT_NE(solve(problem, start, options).x, found.x);
+}
+
 TEST(Problem, StopsWhereACostExceedsItsBound) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 7);
   const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
