@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "gap/identify/jackknife.hpp"
 #include "gap/plant/baseline_alias.hpp"
 #include "gap/thresholds.hpp"
 
@@ -34,14 +36,19 @@ double leastGain(const Study& study, const Hypothesis& model, const twin::Effect
   return conflict ? thresholds::kPriorReleaseGain : threshold;
 }
 
+// Noise alone would make of a slightly wrong model, which every model of a servo is, a conflict in whatever number the
+// logs determine least.
 std::vector<PriorConflict> priorConflictsOf(const FittedModel& fitted) {
   std::vector<PriorConflict> conflicts;
+  const std::optional<Eigen::VectorXd> by_logs = halfWidthsByLogs(fitted);
   for (std::size_t i = 0; i < fitted.problem.unknowns().size(); ++i) {
     const Unknown& unknown = fitted.problem.unknowns()[i];
     const double sigmas = sigmasOff(fitted, i);
-    if (std::abs(sigmas) > thresholds::kPriorConflictSigmas)
-      conflicts.push_back(
-          {unknown.name, sigmas, unknown.fromSearch(fitted.fit.x[static_cast<Eigen::Index>(i)]) / unknown.expected});
+    if (std::abs(sigmas) <= thresholds::kPriorConflictSigmas) continue;
+    const auto at = static_cast<Eigen::Index>(i);
+    const double x = fitted.fit.x[at];
+    if (by_logs && std::abs(x - unknown.toSearch(unknown.expected)) < (*by_logs)[at]) continue;
+    conflicts.push_back({unknown.name, sigmas, unknown.fromSearch(x) / unknown.expected});
   }
   return conflicts;
 }

@@ -1,6 +1,8 @@
 // What an answer says where a remainder is left: which names stay, which are withdrawn, and why.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/held_out.hpp"
 #include "gap/plant/position_error.hpp"
@@ -71,6 +73,27 @@ TEST(Remainder, IntervalsAreAsWideAsTheLogsDisagree) {
   EXPECT_GT(friction.high, 0.078);
   const Estimate of_right_model = estimatesOf(fitted, *twin::findEffect("coulomb"), 1).front();
   EXPECT_LT(of_right_model.high - of_right_model.low, 0.01);
+}
+
+/// Three logs of arms that are so many times as long as was written down.
+std::vector<PriorConflict> conflictsWith(const std::array<double, 3>& factors) {
+  Case given = smallBench();
+  given.priors = {{"length", 0.01}};
+  for (std::size_t log = 0; log < 3; ++log) {
+    Case other = smallBench();
+    other.pendulum.length_m *= factors.at(log);
+    given.logs[log] = measured(other, baselineOf(other), 41).logs[log];
+  }
+  const Study study{given};
+  return priorConflictsOf(fittedAt(study, {}));
+}
+
+TEST(Conflict, IsANumberThatAllLogsPullOutOfItsPrior) {
+  const std::vector<PriorConflict> conflicts = conflictsWith({1.06, 1.06, 1.06});
+  ASSERT_EQ(conflicts.size(), 1U);
+  EXPECT_EQ(conflicts[0].number, "length");
+  EXPECT_NEAR(conflicts[0].factor, 1.06, 0.01);
+  for (const PriorConflict& one : conflictsWith({1.15, 1, 1})) ADD_FAILURE() << one.number << ", pulled by one log";
 }
 
 // Without the effect, the number of the baseline itself would take its value, however improbable that is.

@@ -1,0 +1,15 @@
+// How well a fit determines its unknowns, judged by how far the logs disagree.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "gap/identify/fitted_model.hpp"
+
+namespace darwinop::gap {
+
+/// Half widths of 90 % intervals of the unknowns, search variables. None with fewer than CrossValidation::kFewestLogs
+/// independent logs, or without a Jacobian.
+std::optional<Eigen::VectorXd> halfWidthsByLogs(const FittedModel& fitted);
+
+}  // namespace darwinop::gap
