@@ -50,12 +50,14 @@ bool Selection::staysInsideItsPrior(const FittedModel& candidate, const twin::Ef
          priorSigmasMoved(study_.data, study_.baseline, candidate.hypothesis(), effect) < most;
 }
 
-// Under a model that is still plainly wrong any further effect improves the fit. It has to improve predictions as well.
+// Under a model that is still plainly wrong any further effect improves the fit. It has to improve predictions as well;
+// so has one that a model by the numbers of a manual does not need: as slightly wrong as that is, much gains a little.
 bool Selection::predictsBetter(const FittedModel& candidate, const FittedModel& present, double gain) const {
-  const double left = excess_cost_ - gain;
-  if (model_.effects.empty() ||
-      left < thresholds::kCrossValidateCost * static_cast<double>(candidate.fit.residuals.size()))
-    return true;
+  if (model_.effects.empty()) return true;
+  const bool is_plainly_wrong =
+      excess_cost_ - gain >= thresholds::kCrossValidateCost * static_cast<double>(candidate.fit.residuals.size());
+  const bool is_needless = leavesNoise() && isRoughlyKnown(study_.data);
+  if (!is_plainly_wrong && !is_needless) return true;
   const CrossValidation validation = crossValidate(present, candidate);
   report("leave-one-log-out prediction error ratio %.2f, %.2f to %.2f", std::exp(validation.mean),
          std::exp(validation.mean - 2 * validation.error), std::exp(validation.mean + 2 * validation.error));
