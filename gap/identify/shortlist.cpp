@@ -207,9 +207,8 @@ std::vector<FittedModel> shortlist(const FittedModel& present, const Screen& scr
   std::vector<ShortlistEntry> entries = refinedStarts(screen, promising(screen, {}, thresholds::kRefinedEffectsRough));
   fitAll(present, entries);
   keepBestStarts(entries);
-  keepFirst(thresholds::kRefinedEffects, entries);
-  if (refined) freeSecondaryParameters(present, entries);
   keepFirst(thresholds::kFittedEffects, entries);
+  if (refined) freeSecondaryParameters(present, entries);
   std::vector<FittedModel> fitted;
   fitted.reserve(entries.size());
   // Good enough to order them: what is tested and added is fitted again, with a Jacobian.
