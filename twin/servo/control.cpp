@@ -49,9 +49,10 @@ void Servo::applyVoltageLaw(double dt_s) noexcept {
   Signals& s = signals_;
   // Ki and Kd use the scale of Kp: one unit of Kp is 8 register units.
   const double scale = kRegisterPerKp * parameters_.duty_per_kp_per_rad;
-  integral_ += s.i_gain * scale * s.error_rad * dt_s;
-  integral_ = s.i_gain == 0 ? 0 : std::clamp(integral_, -s.duty_limit, s.duty_limit);  // anti-windup
-  const double derivative = s.d_gain * scale * (s.error_rad - last_error_) / dt_s;
+  integral_ = s.i_gain == 0 ? 0
+                            : std::clamp(integral_ + s.i_gain * scale * s.error_rad * dt_s, -s.duty_limit,
+                                         s.duty_limit);  // anti-windup
+  const double derivative = s.d_gain == 0 ? 0 : s.d_gain * scale * (s.error_rad - last_error_) / dt_s;
   last_error_ = s.error_rad;
   const double law = parameters_.duty_per_kp_per_rad * s.p_register * s.error_rad;
   s.duty = std::clamp(law + integral_ + derivative + s.duty_offset, -s.duty_limit, s.duty_limit);
