@@ -132,7 +132,7 @@ void searchAndJump(const Problem& problem, const Steps& steps_at, std::span<cons
 
 Fit solve(const Problem& problem, const Eigen::VectorXd& start, const SolveOptions& options) {
   Fit fit;
-  fit.x = start;
+  fit.x = problem.inBounds(start);  // a linear prediction may be beyond
   fit.steps = options.steps.cols() == start.size() ? options.steps : firstSteps(problem);
   fit.jacobian = options.jacobian;
   look(problem, fit);

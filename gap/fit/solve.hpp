@@ -25,8 +25,8 @@ struct SolveOptions {
   Eigen::MatrixXd jacobian = {};  // at the start, by these steps; empty: not known
 };
 
-/// Starts at `start`; the result is never worse. From far off, large residuals count in full at first, so that a swing
-/// that is out of phase comes back into phase.
+/// Starts at `start`, within the bounds; the result is never worse than that. From far off, large residuals count in
+/// full at first, so that a swing that is out of phase comes back into phase.
 Fit solve(const Problem& problem, const Eigen::VectorXd& start, const SolveOptions& options = {});
 
 }  // namespace darwinop::gap

@@ -143,6 +143,16 @@ TEST(Solve, TakesNoJacobianAtAStartWhereItIsKnown) {
   EXPECT_NE(solve(problem, start, options).x, found.x);
 }
 
+TEST(Solve, BeginsWithinTheBounds) {
+  const Case given = measured(smallBench(), baselineOf(smallBench()), 5);
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
+  const Problem problem{evidence, baselineOf(given), unknownsOf(*twin::findEffect("coulomb"))};
+  const Unknown& friction = problem.unknowns()[0];
+  const Fit fit = solve(problem, Eigen::VectorXd::Constant(1, friction.toSearch(friction.low) - 1),
+                        {.iterations = 0, .refine = false});
+  EXPECT_EQ(fit.x[0], friction.toSearch(friction.low));
+}
+
 TEST(Problem, StopsWhereACostExceedsItsBound) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 7);
   const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
