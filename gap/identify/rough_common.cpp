@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gap/identify/assessment.hpp"
+#include "gap/identify/jackknife.hpp"
 #include "gap/identify/rough_selection.hpp"
 #include "gap/plant/position_error.hpp"
 #include "gap/plant/registers.hpp"
@@ -42,6 +43,21 @@ FittedModel startedAt(const Start& start, FittedModel fitted) {
     x = unknowns[i].logarithmic ? x + std::log(start.strength) : start.side * x;
   }
   return fitted;
+}
+
+/// Zero, say of an offset, is as likely as the value that was fitted. Of a scale it never is.
+bool mayBeNone(const FittedModel& fitted, const twin::EffectInfo& effect) {
+  const std::optional<Eigen::VectorXd> half_widths = halfWidthsByLogs(fitted);
+  if (!half_widths) return false;
+  const auto& unknowns = fitted.problem.unknowns();
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (parameter == nullptr || parameter->info != &effect) continue;
+    const auto at = static_cast<Eigen::Index>(i);
+    const double neutral = effect.parameters[parameter->index].neutral;
+    if (unknowns[i].logarithmic || std::abs(fitted.fit.x[at] - neutral) > (*half_widths)[at]) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -121,6 +137,20 @@ void RoughSelection::dropNeedless() {
     else
       ++i;
   }
+}
+
+// At the end: while another effect is missing, logs disagree about numbers that are right. Two of four folders of logs,
+// of servos without one, had a zero error of the encoder that gained 6 and 8.
+void RoughSelection::dropZeros() {
+  const std::size_t before = model_.effects.size();
+  for (std::size_t i = 0; i < model_.effects.size();) {
+    const FittedModel less = refitWithout(model_, i);
+    if (less.fit.cost - model_.fit.cost < thresholds::kRareEffectGain && mayBeNone(model_, *model_.effects[i].info))
+      model_ = refitWithDiscrepancy(less.effects, less);
+    else
+      ++i;
+  }
+  if (model_.effects.size() != before) errors_ = leaveOneOutErrors(model_);
 }
 
 /// Of the effects at the end of their range, that which the model misses least: it stands for something else, and would
