@@ -47,7 +47,7 @@ class RobustCost final : public ceres::CostFunction {
     const Eigen::VectorXd chain = plain.binaryExpr(out.head(rows), [this](double r, double root) {
       return root == 0 ? 1 : r / (root * std::sqrt(1 + r * r / (width_ * width_)));
     });
-    if (knownJacobian(x).size() == 0) {
+    if (!isKnownAt(x)) {
       jacobian_ = jacobianAt(problem_, x, plain, steps_);
       jacobian_at_ = x;
     }
@@ -59,10 +59,14 @@ class RobustCost final : public ceres::CostFunction {
 
   /// The last Jacobian, if it was taken at `x`; else empty.
   [[nodiscard]] Eigen::MatrixXd knownJacobian(const Eigen::VectorXd& x) const {
-    return jacobian_at_.size() == x.size() && jacobian_at_ == x ? jacobian_ : Eigen::MatrixXd{};
+    return isKnownAt(x) ? jacobian_ : Eigen::MatrixXd{};
   }
 
  private:
+  [[nodiscard]] bool isKnownAt(const Eigen::VectorXd& x) const {
+    return jacobian_at_.size() == x.size() && jacobian_at_ == x;
+  }
+
   /// A point is evaluated up to three times in a row: during a step, as its end, and for its Jacobian.
   const Eigen::VectorXd& residualsAt(const Eigen::VectorXd& x) const {
     if (known_at_.size() == x.size() && known_at_ == x) return known_;

@@ -134,7 +134,7 @@ Fit solve(const Problem& problem, const Eigen::VectorXd& start, const SolveOptio
   Fit fit;
   fit.x = problem.inBounds(start);  // a linear prediction may be beyond
   fit.steps = options.steps.cols() == start.size() ? options.steps : firstSteps(problem);
-  fit.jacobian = options.jacobian;
+  if (fit.x == start) fit.jacobian = options.jacobian;
   look(problem, fit);
   if (start.size() == 0) return fit;
   if (options.iterations > 0)

@@ -36,11 +36,12 @@ double leastGain(const Study& study, const Hypothesis& model, const twin::Effect
   return conflict ? thresholds::kPriorReleaseGain : threshold;
 }
 
-// Noise alone would make of a slightly wrong model, which every model of a servo is, a conflict in whatever number the
-// logs determine least.
+// Noise alone would make of a slightly wrong model, as one by the numbers of a manual always is, a conflict in whatever
+// number the logs determine least.
 std::vector<PriorConflict> priorConflictsOf(const FittedModel& fitted) {
   std::vector<PriorConflict> conflicts;
-  const std::optional<Eigen::VectorXd> by_logs = halfWidthsByLogs(fitted);
+  const std::optional<Eigen::VectorXd> by_logs =
+      isRoughlyKnown(fitted.study->data) ? halfWidthsByLogs(fitted) : std::nullopt;
   for (std::size_t i = 0; i < fitted.problem.unknowns().size(); ++i) {
     const Unknown& unknown = fitted.problem.unknowns()[i];
     const double sigmas = sigmasOff(fitted, i);

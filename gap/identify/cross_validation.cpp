@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "gap/parallel/parallel.hpp"
@@ -30,27 +30,14 @@ struct Rest {
   }
 };
 
-/// The effect as the baseline has it, or not at all.
-Eigen::VectorXd withoutEffect(const FittedModel& fitted, const ChosenEffect& effect, Eigen::VectorXd x) {
-  const auto& unknowns = fitted.problem.unknowns();
-  const twin::EffectSetting* const before = fitted.study->baseline.find(effect.info->id, effect.place);
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
-    if (parameter == nullptr || parameter->info != effect.info || !(parameter->place == effect.place)) continue;
-    const double value = before ? before->values[parameter->index] : effect.info->parameters[parameter->index].neutral;
-    x[static_cast<Eigen::Index>(i)] = unknowns[i].toSearch(value);
-  }
-  return fitted.problem.inBounds(std::move(x));
-}
-
 /// The fit to all logs, without those effects that the other logs do not need: a fit to them would leave the numbers
 /// where the left-out log has put them, and predict that log by itself.
 Eigen::VectorXd startOf(const FittedModel& fitted, const Problem& others, const Eigen::VectorXd& residuals) {
   Eigen::VectorXd x = fitted.fit.x;
-  double cost = residuals.unaryExpr(&costOf).sum() + fitted.fit.prior;
   const std::vector<std::size_t> order = others.costliestFirst(residuals);
+  double cost = others.costUpTo(std::numeric_limits<double>::infinity(), x, order);  // summed alike: equal is equal
   for (const ChosenEffect& effect : fitted.effects) {
-    const Eigen::VectorXd bare = withoutEffect(fitted, effect, x);
+    const Eigen::VectorXd bare = takenOut(fitted, effect, x);
     if (const double without = others.costUpTo(cost, bare, order); without <= cost) x = bare, cost = without;
   }
   return x;

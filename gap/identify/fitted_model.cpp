@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "gap/fit/jacobian.hpp"
@@ -138,6 +139,18 @@ FittedModel refit(const FittedModel& from, const Effects& effects, int rounds) {
 
 FittedModel refitWithout(const FittedModel& fitted, std::size_t i, bool jacobian) {
   return refitUnderNoiseOf(without(fitted.effects, i), fitted.nuisance, fitted.problem, fitted.fit, fitted, jacobian);
+}
+
+Eigen::VectorXd takenOut(const FittedModel& fitted, const ChosenEffect& effect, Eigen::VectorXd x) {
+  const auto& unknowns = fitted.problem.unknowns();
+  const twin::EffectSetting* const before = fitted.study->baseline.find(effect.info->id, effect.place);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (parameter == nullptr || parameter->info != effect.info || !(parameter->place == effect.place)) continue;
+    const double value = before ? before->values[parameter->index] : effect.info->parameters[parameter->index].neutral;
+    x[static_cast<Eigen::Index>(i)] = unknowns[i].toSearch(value);
+  }
+  return fitted.problem.inBounds(std::move(x));
 }
 
 void takeOut(const twin::EffectInfo& effect, const Hypothesis& baseline, Hypothesis& model) {

@@ -48,6 +48,8 @@ FittedModel refitWithout(const FittedModel& fitted, std::size_t i, bool jacobian
 /// The model without its effect `i`: every number that is free is fitted again to make up for it. A number that the
 /// effect stands for is as the baseline has it, if the effect moves it beyond what its prior explains.
 Hypothesis modelWithout(const FittedModel& fitted, std::size_t i);
+/// `x` with the effect as the baseline has it, or not at all.
+Eigen::VectorXd takenOut(const FittedModel& fitted, const ChosenEffect& effect, Eigen::VectorXd x);
 /// Takes the effect out of the model: as the baseline has it, or not at all.
 void takeOut(const twin::EffectInfo& effect, const Hypothesis& baseline, Hypothesis& model);
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "gap/identify/cross_validation.hpp"
@@ -11,18 +12,17 @@
 namespace darwinop::gap {
 namespace {
 
-/// Variance of the unknowns by the jackknife over logs: how far each log by itself, with its repeats, pulls them, to
-/// first order. The error of a wrong model is the same all over a log, so samples of one log are one piece of evidence.
-Eigen::VectorXd jackknifeVariance(const FittedModel& fitted, const std::vector<std::vector<std::size_t>>& groups) {
-  const Eigen::Index count = fitted.fit.x.size();
+/// How far each log by itself, with its repeats, pulls the unknowns, to first order: a column each. Infinite where no
+/// other log shows an unknown.
+Eigen::MatrixXd pullsOf(const FittedModel& fitted, const std::vector<std::vector<std::size_t>>& groups) {
   const Evidence& evidence = *fitted.evidence;
-  const auto logs = static_cast<double>(groups.size());
+  const Eigen::MatrixXd& information = fitted.fit.information;
   const std::vector<Eigen::Index> first_row = evidence.firstRows();
-  Eigen::VectorXd variance = Eigen::VectorXd::Zero(count);
-  for (const std::vector<std::size_t>& group : groups) {
-    Eigen::MatrixXd others = fitted.fit.information;
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
-    for (const std::size_t i : group) {
+  Eigen::MatrixXd pulls(fitted.fit.x.size(), static_cast<Eigen::Index>(groups.size()));
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    Eigen::MatrixXd others = information;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fitted.fit.x.size());
+    for (const std::size_t i : groups[group]) {
       const Eigen::Index size = evidence.noise[i].size();
       const Eigen::VectorXd residuals = fitted.fit.residuals.segment(first_row[i], size);
       const Eigen::MatrixXd jacobian = fitted.fit.jacobian.middleRows(first_row[i], size);
@@ -32,19 +32,30 @@ Eigen::VectorXd jackknifeVariance(const FittedModel& fitted, const std::vector<s
       others -= weighted * jacobian;
       gradient += weighted * residuals;
     }
-    const Eigen::VectorXd pull = others.ldlt().solve(gradient);
-    variance += pull.cwiseAbs2() * ((logs - 1) / logs);
+    auto pull = pulls.col(static_cast<Eigen::Index>(group));
+    pull = others.ldlt().solve(gradient);
+    for (Eigen::Index i = 0; i < pull.size(); ++i)
+      if (others(i, i) <= thresholds::kUnobservableEigenvalue * information(i, i))
+        pull[i] = std::numeric_limits<double>::infinity();
   }
-  return variance;
+  return pulls;
 }
 
 }  // namespace
 
+// The jackknife over logs: the error of a wrong model is the same all over a log, so samples of one log are one piece
+// of evidence. What pulls all logs alike is the prior.
 std::optional<Eigen::VectorXd> halfWidthsByLogs(const FittedModel& fitted) {
   const std::vector<std::vector<std::size_t>> groups = independentLogs(*fitted.evidence);
   const auto logs = static_cast<int>(groups.size());
-  if (logs < CrossValidation::kFewestLogs || fitted.fit.jacobian.cols() != fitted.fit.x.size()) return std::nullopt;
-  return interval90(logs) * jackknifeVariance(fitted, groups).cwiseSqrt();
+  if (logs < CrossValidation::kFewestLogs || fitted.fit.jacobian.size() == 0) return std::nullopt;
+  const Eigen::MatrixXd pulls = pullsOf(fitted, groups);
+  Eigen::VectorXd half_widths(pulls.rows());
+  for (Eigen::Index i = 0; i < pulls.rows(); ++i)
+    half_widths[i] = pulls.row(i).allFinite() ? interval90(logs) * std::sqrt((logs - 1.0) / logs) *
+                                                    (pulls.row(i).array() - pulls.row(i).mean()).matrix().norm()
+                                              : std::numeric_limits<double>::infinity();
+  return half_widths;
 }
 
 }  // namespace darwinop::gap

@@ -8,8 +8,8 @@
 
 namespace darwinop::gap {
 
-/// Half widths of 90 % intervals of the unknowns, search variables. None with fewer than CrossValidation::kFewestLogs
-/// independent logs, or without a Jacobian.
+/// Half widths of 90 % intervals of the unknowns, search variables; infinite for what one log alone shows. None with
+/// fewer than CrossValidation::kFewestLogs independent logs, or without a Jacobian.
 std::optional<Eigen::VectorXd> halfWidthsByLogs(const FittedModel& fitted);
 
 }  // namespace darwinop::gap

@@ -45,19 +45,12 @@ FittedModel startedAt(const Start& start, FittedModel fitted) {
   return fitted;
 }
 
-/// Zero, say of an offset, is as likely as the value that was fitted. Of a scale it never is.
-bool mayBeNone(const FittedModel& fitted, const twin::EffectInfo& effect) {
+/// The model without the effect is inside the intervals of this one, by how far the logs disagree.
+bool mayBeNone(const FittedModel& fitted, const ChosenEffect& effect) {
   const std::optional<Eigen::VectorXd> half_widths = halfWidthsByLogs(fitted);
   if (!half_widths) return false;
-  const auto& unknowns = fitted.problem.unknowns();
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
-    if (parameter == nullptr || parameter->info != &effect) continue;
-    const auto at = static_cast<Eigen::Index>(i);
-    const double neutral = effect.parameters[parameter->index].neutral;
-    if (unknowns[i].logarithmic || std::abs(fitted.fit.x[at] - neutral) > (*half_widths)[at]) return false;
-  }
-  return true;
+  const Eigen::VectorXd off = (fitted.fit.x - takenOut(fitted, effect, fitted.fit.x)).cwiseAbs();
+  return (off.array() <= half_widths->array()).all();
 }
 
 }  // namespace
@@ -139,18 +132,22 @@ void RoughSelection::dropNeedless() {
   }
 }
 
-// At the end: while another effect is missing, logs disagree about numbers that are right. Two of four folders of logs,
-// of servos without one, had a zero error of the encoder that gained 6 and 8.
-void RoughSelection::dropZeros() {
-  const std::size_t before = model_.effects.size();
+// At the end: while another effect is missing, logs disagree about numbers that are right. Of servos without one, two
+// of four folders of logs had a zero error of the encoder, which took a part of the friction.
+void RoughSelection::dropUncertain() {
   for (std::size_t i = 0; i < model_.effects.size();) {
-    const FittedModel less = refitWithout(model_, i);
-    if (less.fit.cost - model_.fit.cost < thresholds::kRareEffectGain && mayBeNone(model_, *model_.effects[i].info))
-      model_ = refitWithDiscrepancy(less.effects, less);
-    else
-      ++i;
+    const ChosenEffect effect = model_.effects[i];
+    if (mayBeNone(model_, effect)) {
+      FittedModel less = refitWithDiscrepancy(without(model_.effects, i), model_);
+      std::vector<double> errors = leaveOneOutErrors(less);
+      if (crossValidate(errors, errors_, floor_rad_).mean < thresholds::kRareEffectHelp) {
+        model_ = std::move(less), errors_ = std::move(errors);
+        for (Rival& rival : rivals_) std::erase(rival.effects, effect.info->id);
+        continue;
+      }
+    }
+    ++i;
   }
-  if (model_.effects.size() != before) errors_ = leaveOneOutErrors(model_);
 }
 
 /// Of the effects at the end of their range, that which the model misses least: it stands for something else, and would

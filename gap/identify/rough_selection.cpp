@@ -21,7 +21,7 @@ void RoughSelection::run() {
   addCommonEffects();
   for (int i = 0; i < thresholds::kMaxRareEffects && addRareEffect(); ++i) {
   }
-  dropZeros();
+  dropUncertain();
   noteDoubles();
 }
 

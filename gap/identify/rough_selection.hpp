@@ -59,8 +59,8 @@ class RoughSelection {
   [[nodiscard]] bool worsensHeldOut(const FittedModel& with) const;
   void dropNeedless();
   void dropAtBounds();
-  /// Drops effects of which zero is as likely and that gain less than a rarer one has to.
-  void dropZeros();
+  /// Drops effects whose intervals contain "no effect" and that do not help to predict left-out logs either.
+  void dropUncertain();
   [[nodiscard]] std::optional<std::size_t> leastAtBound() const;
   [[nodiscard]] FittedModel fitFromStarts(const Effects& effects, const FittedModel& bare) const;
   [[nodiscard]] Verdict verdictWithRemainder(const Identification& found) const;

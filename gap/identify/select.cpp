@@ -52,12 +52,15 @@ bool Selection::staysInsideItsPrior(const FittedModel& candidate, const twin::Ef
 
 // Under a model that is still plainly wrong any further effect improves the fit. It has to improve predictions as well;
 // so has one that a model by the numbers of a manual does not need: as slightly wrong as that is, much gains a little.
+// An effect that releases a number of the baseline predicts no better than that number, where it is free.
 bool Selection::predictsBetter(const FittedModel& candidate, const FittedModel& present, double gain) const {
   if (model_.effects.empty()) return true;
   const bool is_plainly_wrong =
       excess_cost_ - gain >= thresholds::kCrossValidateCost * static_cast<double>(candidate.fit.residuals.size());
-  const bool is_needless = leavesNoise() && isRoughlyKnown(study_.data);
-  if (!is_plainly_wrong && !is_needless) return true;
+  const bool noise_suffices = leavesNoise() && isRoughlyKnown(study_.data);
+  if (!is_plainly_wrong && !noise_suffices) return true;
+  if (noise_suffices && aliasesAPrior(study_.data, *candidate.effects.back().info) && !priorConflictsOf(model_).empty())
+    return true;
   const CrossValidation validation = crossValidate(present, candidate);
   report("leave-one-log-out prediction error ratio %.2f, %.2f to %.2f", std::exp(validation.mean),
          std::exp(validation.mean - 2 * validation.error), std::exp(validation.mean + 2 * validation.error));

@@ -75,17 +75,19 @@ TEST(Remainder, IntervalsAreAsWideAsTheLogsDisagree) {
   EXPECT_LT(of_right_model.high - of_right_model.low, 0.01);
 }
 
-/// Three logs of arms that are so many times as long as was written down.
+/// Three logs of arms that are so many times as long as was written down, of a motor that nobody measured.
 std::vector<PriorConflict> conflictsWith(const std::array<double, 3>& factors) {
   Case given = smallBench();
-  given.priors = {{"length", 0.01}};
+  given.priors = {{"length", 0.01}, {"kt", 0.15}};
   for (std::size_t log = 0; log < 3; ++log) {
     Case other = smallBench();
     other.pendulum.length_m *= factors.at(log);
     given.logs[log] = measured(other, baselineOf(other), 41).logs[log];
   }
   const Study study{given};
-  return priorConflictsOf(fittedAt(study, {}));
+  const FittedModel fitted = fittedAt(study, {});
+  EXPECT_GT(largestPriorSigma(fitted), thresholds::kPriorConflictSigmas);
+  return priorConflictsOf(fitted);
 }
 
 TEST(Conflict, IsANumberThatAllLogsPullOutOfItsPrior) {

@@ -6,72 +6,15 @@
 #include <algorithm>
 
 #include "gap/case/case.hpp"
-#include "gap/fit/discrepancy.hpp"
 #include "gap/identify/fewer_logs.hpp"
 #include "gap/identify/identification.hpp"
 #include "gap/identify/rivals.hpp"
 #include "gap/identify/shown.hpp"
-#include "gap/identify/supply_check.hpp"
 #include "gap/identify/two_effects.hpp"
-#include "gap/small_case.hpp"
+#include "gap/manual_bench.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-double wave(double t) {
-  return 0.9 * std::sin(2 * t) + 0.4 * std::sin(5 * t);
-}
-double lift(double t) {
-  return t < 0.5 ? 0 : 1.3;
-}
-double slowWave(double t) {
-  return 1.5 + 0.12 * std::sin(1.5 * t);
-}
-double quickWave(double t) {
-  return 1.5 + 0.1 * std::sin(4 * t);
-}
-double stairs(double t) {
-  return std::fmod(t, 2) < 1 ? 0.8 : -0.5;
-}
-
-/// By its manual: no friction, and a motor whose numbers may be far off.
-Case manualBench() {
-  Case bench = smallBench();
-  bench.model.effects.clear();
-  bench.priors = {{"kt", 0.15}, {"resistance", 0.25}, {"armature", 0.5}, {"payload", 0.02}, {"length", 0.02}};
-  bench.logs.clear();
-  for (const double p_register : {16.0, 32.0, 64.0}) {
-    for (auto* const goal : {&wave, &stairs}) {
-      bench.logs.push_back(commanded("wave", 4, p_register, 0.4, goal));
-      bench.logs.back().held_out = p_register == 64;
-    }
-    bench.logs.push_back(commanded("lift", 4, p_register, 0.4, &lift, 2));
-    bench.logs.back().held_out = p_register == 64;
-  }
-  return bench;
-}
-
-Hypothesis realServo(const Case& bench) {
-  Hypothesis truth = withEffect(bench, "kp_scale", "scale", 0.5);
-  valueOf(truth.with(*twin::findEffect("coulomb")), "friction") = 0.03;
-  valueOf(truth.with(*twin::findEffect("viscous")), "damping") = 0.02;
-  valueOf(truth.with(*twin::findEffect("load_dependent_friction")), "share") = 0.15;
-  valueOf(truth.with(*twin::findEffect("encoder_offset")), "offset") = -0.03;
-  truth.servo.resistance_ohm *= 1.15;
-  return truth;
-}
-
-Case measuredIn(Disturbance wind, Case bench, const Hypothesis& truth) {
-  Trace trace;
-  for (std::size_t i = 0; i < bench.logs.size(); ++i) {
-    wind.seed = 700 + i;  // gusts of 1 draw in 3 hide the offset of the encoder
-    rollOut(bench, i, truth, {.disturbance = &wind, .steps_per_period = 5}, trace);
-    bench.logs[i].position_rad = trace[kPositionSignal];
-    bench.logs[i].load = trace[kLoadSignal];
-    bench.logs[i].volt_v = trace[kSupplySignal];
-  }
-  return bench;
-}
 
 const IdentifiedEffect* foundIn(const Identification& identification, std::string_view id) {
   const auto there =
@@ -96,7 +39,7 @@ std::string namesIn(const Identification& identification) {
   return names;
 }
 
-// One payload: whether friction grows with the load or with its square, and more one way, no log shows.
+// One payload: no log shows whether friction grows with the load, with its square, or more for one direction.
 TEST(RoughNumbers, WhatEveryServoHasIsFoundThoughSomethingRemains) {
   const Case bench = manualBench();
   const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};  // that no model of a servo knows
@@ -179,6 +122,18 @@ TEST(RoughNumbers, WhatNoiseExplainsGetsNoNameThatPredictsNoOtherLog) {
   SCOPED_TRACE(namesIn(identification));
   ASSERT_EQ(identification.effects.size(), 1U);
   EXPECT_EQ(identification.effects.front().effect->id, "coulomb");
+}
+
+TEST(RoughNumbers, AZeroErrorThatMayAsWellBeNoneIsNotNamed) {
+  const Case bench = manualBench();
+  Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.05);
+  valueOf(truth.with(*twin::findEffect("viscous")), "damping") = 0.04;
+  const Identification identification =
+      identify(Study{measuredIn({.torque_nm = 0.03, .torque_time_s = 0.4}, bench, truth)});
+  SCOPED_TRACE(namesIn(identification));
+  ASSERT_EQ(identification.effects.size(), 2U);
+  EXPECT_NEAR(foundIn(identification, "coulomb")->estimates.front().value, 0.05, 0.015);
+  EXPECT_NEAR(foundIn(identification, "viscous")->estimates.front().value, 0.04, 0.01);
 }
 
 Case benchOfTwelveLogs() {
@@ -315,90 +270,6 @@ TEST(Rivals, StayUndecidedBesideWhatIsAddedUntilTheyAreTestedAgain) {
   EXPECT_EQ(rivals.front().effects.size(), 3U);
   carryOn(rivals, {"torque_limit"}, "");
   EXPECT_TRUE(rivals.empty());
-}
-
-TEST(EffectsNotShown, AreThoseWithNoneOfTheirFeatures) {
-  Case bench = smallBench();
-  bench = measured(bench, baselineOf(bench), 1);
-  EXPECT_TRUE(isShown(bench, "coulomb")) << "a release";
-  EXPECT_FALSE(isShown(bench, "load_dependent_friction")) << "one payload";
-  EXPECT_TRUE(isShown(bench, "inertia")) << "every motion shows it";
-  bench.logs.front().payload_kg = 0.6;
-  EXPECT_TRUE(isShown(bench, "load_dependent_friction"));
-}
-
-NoiseOptions fewRuns() {
-  NoiseOptions options;
-  options.runs = 4;
-  return options;
-}
-
-/// A fit that says the supply has so many ohm.
-FittedModel sagging(const Study& study, double ohm) {
-  auto evidence = std::make_shared<const Evidence>(study.evidence);
-  const Effects effects{{twin::findEffect("supply_sag")}};
-  Problem problem = problemWith(study, *evidence, effects, Nuisance::kFixed);
-  Fit fit;
-  fit.x = problem.expected();
-  fit.x[0] = problem.unknowns()[0].toSearch(ohm);
-  return {&study, effects, Nuisance::kFixed, std::move(evidence), std::move(problem), std::move(fit), 0};
-}
-
-TEST(Voltage, ThatStaysUpContradictsASupplyThatSags) {
-  const Case bench = manualBench();
-  const Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
-  EXPECT_TRUE(contradictsVoltage(sagging(Study{given, fewRuns()}, 3)));
-  EXPECT_FALSE(contradictsVoltage(sagging(Study{given, fewRuns()}, 0.3))) << "wires have as much";
-}
-
-TEST(Voltage, ThatDipsAllowsIt) {
-  const Case bench = manualBench();
-  const Case given = measuredIn({.torque_nm = 0}, bench, withEffect(bench, "supply_sag", "resistance", 3));
-  EXPECT_FALSE(contradictsVoltage(sagging(Study{given, fewRuns()}, 3)));
-}
-
-TEST(Voltage, ThatNobodyMeasuredSaysNothing) {
-  const Case bench = manualBench();
-  Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
-  for (Trajectory& log : given.logs) log.volt_v.assign(log.rows(), std::numeric_limits<double>::quiet_NaN());
-  EXPECT_FALSE(contradictsVoltage(sagging(Study{given, fewRuns()}, 3)));
-}
-
-TEST(Discrepancy, IsWhatMostSamplesAreOffBy) {
-  const Case bench = manualBench();
-  Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
-  const std::vector<std::size_t> logs{0, 1};
-  const double before = discrepancyOf(plantOf(given), given, logs, baselineOf(given)).position_rad;
-  EXPECT_LT(before, 0.003);
-  for (double& position : given.logs[0].position_rad) position += 0.02;
-  for (double& position : given.logs[1].position_rad) position -= 0.02;
-  for (std::size_t row = 0; row < 20; ++row) given.logs[0].position_rad[row] += 1;  // a hand on the arm
-  EXPECT_NEAR(discrepancyOf(plantOf(given), given, logs, baselineOf(given)).position_rad, 1.4826 * 0.02, 0.003);
-}
-
-TEST(Discrepancy, NeighboursCountAsOne) {
-  const Case bench = manualBench();
-  const Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
-  NoiseOptions bearing = fewRuns();
-  bearing.discrepancy = {
-      .position_rad = 0.02, .load = std::vector<double>(given.logs.size(), 0.01), .correlation_s = 20 * kRow};
-  Hypothesis off = baselineOf(given);
-  off.pendulum.length_m *= 1.005;
-  const auto cost = [&](const NoiseOptions& options) {
-    const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given), LogRole::kFit, options);
-    return Problem{evidence, off, {}}.cost({});
-  };
-  NoiseOptions alone = bearing;
-  alone.discrepancy.correlation_s = kRow;
-  EXPECT_NEAR(cost(alone) / cost(bearing), 20, 0.5);
-}
-
-TEST(Discrepancy, FarSamplesCountLinearly) {
-  EXPECT_NEAR(softened(0.1), 0.1, 1e-3);
-  EXPECT_DOUBLE_EQ(softened(-3), -softened(3));
-  const auto cost = [](double residual) { return std::pow(softened(residual), 2); };
-  EXPECT_NEAR(cost(200) - cost(199), cost(100) - cost(99), 1e-3);
-  EXPECT_GT(softened(3.01), softened(3));
 }
 
 }  // namespace
