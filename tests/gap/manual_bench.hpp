@@ -1,4 +1,4 @@
-// A bench of a servo that nobody has measured, in memory.
+// A bench in memory whose servo is roughly known: by its manual.
 #pragma once
 
 #include <cmath>

@@ -75,7 +75,7 @@ TEST(Remainder, IntervalsAreAsWideAsTheLogsDisagree) {
   EXPECT_LT(of_right_model.high - of_right_model.low, 0.01);
 }
 
-/// Three logs of arms that are so many times as long as was written down, of a motor that nobody measured.
+/// Prior conflicts in three logs of arms whose lengths are these multiples of the given one, of a roughly known motor.
 std::vector<PriorConflict> conflictsWith(const std::array<double, 3>& factors) {
   Case given = smallBench();
   given.priors = {{"length", 0.01}, {"kt", 0.15}};
