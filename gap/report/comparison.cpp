@@ -69,7 +69,8 @@ Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis
                   .rows = knownRows(log)};
   one.gap = squares.rms();
   one.noise_share = shareOf(noise, log, trace);
-  one.below_floor = one.gap.after_rad < one.gap.floor_rad && one.noise_share < thresholds::kBelowFloorShare;
+  one.below_floor =
+      log.held_out && one.gap.after_rad < one.gap.floor_rad && one.noise_share < thresholds::kBelowFloorShare;
   return squares;
 }
 
@@ -113,9 +114,8 @@ Gap::Gap() : before_rad{std::numeric_limits<double>::quiet_NaN()}, after_rad{bef
 Comparison::Comparison()
     : median_other_rad{std::numeric_limits<double>::quiet_NaN()}, worst_other_rad{median_other_rad} {}
 
-bool Comparison::anyBelowFloor(const Case& given, bool of_held_out) const {
-  return std::ranges::any_of(
-      logs, [&](const auto& one) { return one.below_floor && given.logs[one.log].held_out == of_held_out; });
+bool Comparison::anyBelowFloor() const {
+  return std::ranges::any_of(logs, &LogComparison::below_floor);
 }
 
 Comparison compare(const Case& given, const Hypothesis& before, const Hypothesis& after) {

@@ -23,7 +23,7 @@ struct LogComparison {
   Gap gap;
   // Residual of the second model in units of its noise: 1 for a right model.
   double noise_share = 1;
-  bool below_floor = false;                   // closer to the data than noise permits
+  bool below_floor = false;                   // held out, and closer to the data than noise permits
   std::vector<double> before_rad, after_rad;  // simulated positions, one a row
 };
 
@@ -37,7 +37,7 @@ struct Comparison {
   double median_other_rad, worst_other_rad;
   std::string worst_other;  // its file
   Comparison();
-  [[nodiscard]] bool anyBelowFloor(const Case& given, bool of_held_out) const;
+  [[nodiscard]] bool anyBelowFloor() const;
 };
 
 /// The noise is that of `after`. Deterministic.

@@ -102,7 +102,7 @@ std::string headlineSection(const Report& report) {
                              std::to_string(all.held_out_logs) + (all.held_out_logs == 1 ? " log" : " logs") +
                              " that no fit has used (held out). Noise alone is what a right model would show.");
   if (report.outcome != nullptr) inside += element("p", std::string{messages::kHeldOutUse} + " " + messages::kOtherUse);
-  if (all.anyBelowFloor(*report.given, true)) inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
+  if (all.anyBelowFloor()) inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
   return section("headline", "Before and after", inside);
 }
 
@@ -130,8 +130,7 @@ std::string logsSection(const Report& report) {
       element("p",
               "A floor is the error that noise alone causes on that motion. About 1 is as good as a model can be; 3 "
               "and more is a gap. Only held-out logs show whether a model is better.");
-  if (all.anyBelowFloor(*report.given, true) || all.anyBelowFloor(*report.given, false))
-    inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
+  if (all.anyBelowFloor()) inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
   return section("log-by-log", "Log by log", inside + maskedText(*report.given));
 }
 

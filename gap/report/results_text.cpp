@@ -135,12 +135,11 @@ std::string otherLogsText(const Comparison& comparison) {
                  std::string(4, ' '));
 }
 
-std::string tableText(const Case& given, const Comparison& comparison) {
+std::string tableText(const Comparison& comparison) {
   return line("%-32s %10s %10s %10s %12s", "position error, rms, mrad", "before", "after", "noise", "after in") +
          rowText(std::string{messages::kHeldOutLogs} + " (" + std::to_string(comparison.held_out_logs) + ")",
-                 comparison.held_out, comparison.anyBelowFloor(given, true)) +
-         rowText("logs of the fit (" + std::to_string(comparison.fit_logs) + ")", comparison.fit,
-                 comparison.anyBelowFloor(given, false)) +
+                 comparison.held_out, comparison.anyBelowFloor()) +
+         rowText("logs of the fit (" + std::to_string(comparison.fit_logs) + ")", comparison.fit, false) +
          (comparison.other_logs == 0
               ? ""
               : rowText(std::string{messages::kOtherLogs} + " (" + std::to_string(comparison.other_logs) + ")",
@@ -152,7 +151,7 @@ std::string tableText(const Case& given, const Comparison& comparison) {
 
 std::string asText(const Case& given, const Comparison& comparison) {
   return "case " + given.name + ": two models compared\n" + inLines(helpSentence(comparison)) + "\n" +
-         tableText(given, comparison);
+         tableText(comparison);
 }
 
 std::string asText(const Case& given, const Outcome& outcome, const Comparison& comparison) {
@@ -166,7 +165,7 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
   for (const Contradiction& found : contradictionsOf(given)) text += inLines(asSentence(found));
   text += "\n" + whereText(outcome.localization) + whatText(identification) + numbersText(outcome) +
           rivalText(identification) + experimentLines(identification);
-  text += "\n" + tableText(given, comparison);
+  text += "\n" + tableText(comparison);
   text += "\n";
   if (const double repeats_rad = outcome.localization.floor.repeats_rad; repeats_rad >= 0)
     text += "repeats differ by " + inMrad(repeats_rad) + " mrad; ";
