@@ -15,6 +15,9 @@ namespace darwinop::gap {
 struct AddedValue {
   std::string key;  // "friction"
   double value = 0, low = 0, high = 0;
+
+  /// The interval of what was found; the model counts from `by` earlier, as a delay from the firmware's next period.
+  void setInterval(double found_low, double found_high, double by) { low = found_low + by, high = found_high + by; }
 };
 
 /// One effect. Parameters that are not given stay as the model has them; else they are typical, and a comment says so.

@@ -76,7 +76,7 @@ Additions additionsOf(const Case& given, const Outcome& outcome, const std::stri
       if (estimate != nullptr && !estimate->seen)
         effect.because.push_back(value.key + ": " + std::string{messages::kNotIdentifiable});
       else if (estimate != nullptr)
-        value.low = estimate->low, value.high = estimate->high;
+        value.setInterval(estimate->low, estimate->high, value.value - estimate->value);
       effect.values.push_back(value);
     }
     additions.effects.push_back(std::move(effect));

@@ -61,6 +61,19 @@ TEST(RepairedModel, HasIntervalsAndSourceInComments) {
     EXPECT_THAT(rig.report.model_after, HasSubstr(comment));
 }
 
+// The delay of the answer begins when a goal arrives, that of the model with the firmware's next period.
+TEST(RepairedModel, HasIntervalsOfItsOwnNumbers) {
+  ReportRig rig;
+  const twin::EffectInfo& delay = *twin::findEffect("transport_delay");
+  rig.outcome.identification.model.with(delay).values[0] = 0.0215;
+  rig.outcome.identification.effects = {{&delay, {{"transport_delay.delay", "s", 0.021, 0.019, 0.023}}, 99}};
+  rig.make();
+  const auto has = AllOf(HasSubstr("delay = 0.0215 s"), HasSubstr("; delay: 90 % interval 0.0195 to 0.0235 s"));
+  EXPECT_THAT(rig.report.model_after, has);
+  const Additions again = additionsIn(asJson(rig.report).dump(), "report.json", rig.given);
+  EXPECT_THAT(withAdditions(caseModel(rig.given), again), has);
+}
+
 TEST(RepairedModel, IsMadeAgainFromTheReport) {
   const ReportRig rig;
   const Additions additions = additionsIn(asJson(rig.report).dump(), "report.json", rig.given);
