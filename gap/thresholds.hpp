@@ -237,10 +237,6 @@ inline constexpr double kLeastStepRoom = 0.01;
 
 /// Relative cost. A solver step that gains less is the last.
 inline constexpr double kSolverTolerance = 1e-5;
-/// Relative length. A solver step that is shorter is the last. No evidence yet.
-inline constexpr double kSolverStep = 1e-7;
-/// Solver steps in a row that cannot be evaluated, after which a search ends. No evidence yet.
-inline constexpr int kInvalidSteps = 3;
 /// Solver iterations of a search, unless its caller wants fewer. No evidence yet.
 inline constexpr int kSolverIterations = 12;
 /// Standard deviations beyond which a residual counts linearly while the search is far off.

@@ -109,8 +109,6 @@ Searched searched(const Problem& problem, Searched from, const Eigen::MatrixXd& 
   options.max_num_iterations = iterations;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.function_tolerance = thresholds::kSolverTolerance;
-  options.parameter_tolerance = thresholds::kSolverStep;
-  options.max_num_consecutive_invalid_steps = thresholds::kInvalidSteps;
   options.line_search_interpolation_type = ceres::QUADRATIC;  // a cubic one takes slopes at every try
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
