@@ -46,6 +46,10 @@ double costOf(double residual) {
   return 2 * thresholds::kRobustSigmas * thresholds::kRobustSigmas * (std::sqrt(1 + share * share) - 1);
 }
 
+double weightOf(double residual) {
+  return 1 / std::sqrt(1 + residual * residual / (thresholds::kRobustSigmas * thresholds::kRobustSigmas));
+}
+
 void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const {
   const Hypothesis hypothesis = at(x);
   const std::vector<Eigen::Index> first_row = evidence_->firstRows();

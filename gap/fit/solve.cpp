@@ -18,8 +18,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::MatrixXd informationOf(const Problem& problem, const Fit& fit) {
-  Eigen::VectorXd weight = fit.residuals.unaryExpr(
-      [](double r) { return 1 / std::sqrt(1 + r * r / (thresholds::kRobustSigmas * thresholds::kRobustSigmas)); });
+  const Eigen::VectorXd weight = fit.residuals.unaryExpr(&weightOf);
   Eigen::MatrixXd information = fit.jacobian.transpose() * weight.asDiagonal() * fit.jacobian;
   for (Eigen::Index i = 0; i < fit.x.size(); ++i) {
     const double prior = priorWeight(problem.unknowns()[static_cast<std::size_t>(i)], fit.x[i]);

@@ -62,6 +62,11 @@ double Unknown::fromSearch(double x) const {
   return logarithmic ? std::exp(x) : x;
 }
 
+const EffectParameter* Unknown::parameterOf(const twin::EffectInfo& effect) const {
+  const auto* const parameter = std::get_if<EffectParameter>(&what);
+  return parameter != nullptr && parameter->info == &effect ? parameter : nullptr;
+}
+
 double Unknown::firstStep() const {
   if (logarithmic) return thresholds::kFirstLogStep;
   return std::isfinite(sigma) ? thresholds::kFirstStepSigmas * sigma : thresholds::kFirstStepShare * (high - low);

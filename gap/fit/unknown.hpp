@@ -16,6 +16,8 @@ struct EffectParameter {
   const twin::EffectInfo* info = nullptr;
   std::size_t index = 0;
   Place place = {};
+
+  [[nodiscard]] const twin::Parameter& row() const { return info->parameters[index]; }
 };
 
 struct Unknown {
@@ -29,6 +31,8 @@ struct Unknown {
   /// Between value and search variable.
   [[nodiscard]] double toSearch(double value) const;
   [[nodiscard]] double fromSearch(double x) const;
+  /// Null: not a parameter of this effect.
+  [[nodiscard]] const EffectParameter* parameterOf(const twin::EffectInfo& effect) const;
   /// First step of a finite difference, in the search variable.
   [[nodiscard]] double firstStep() const;
 };

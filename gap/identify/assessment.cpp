@@ -61,7 +61,7 @@ Hypothesis withoutUndetermined(const FittedModel& fitted) {
     const auto at = static_cast<Eigen::Index>(i);
     if (parameter == nullptr || std::isfinite(fitted.fit.covariance(at, at))) continue;
     Hypothesis neutral = found;
-    neutral.with(*parameter->info).values[parameter->index] = parameter->info->parameters[parameter->index].neutral;
+    neutral.with(*parameter->info).values[parameter->index] = parameter->row().neutral;
     const Problem as_found{*fitted.evidence, found, {}}, as_neutral{*fitted.evidence, neutral, {}};
     if (as_neutral.cost({}) < as_found.cost({}) + 1) found = std::move(neutral);
   }
@@ -71,10 +71,10 @@ Hypothesis withoutUndetermined(const FittedModel& fitted) {
 bool isAtItsBound(const FittedModel& fitted, const twin::EffectInfo& effect) {
   const auto& unknowns = fitted.problem.unknowns();
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
-    if (parameter == nullptr || parameter->info != &effect || std::isfinite(unknowns[i].sigma)) continue;
+    const EffectParameter* const parameter = unknowns[i].parameterOf(effect);
+    if (parameter == nullptr || std::isfinite(unknowns[i].sigma)) continue;
     const double low = unknowns[i].toSearch(unknowns[i].low), high = unknowns[i].toSearch(unknowns[i].high);
-    const double neutral = unknowns[i].toSearch(effect.parameters[parameter->index].neutral);
+    const double neutral = unknowns[i].toSearch(parameter->row().neutral);
     const double x = fitted.fit.x[static_cast<Eigen::Index>(i)], near = thresholds::kBoundMargin * (high - low);
     if ((x < low + near && neutral > low + near) || (x > high - near && neutral < high - near)) return true;
   }
@@ -84,13 +84,11 @@ bool isAtItsBound(const FittedModel& fitted, const twin::EffectInfo& effect) {
 bool isNegligible(const FittedModel& fitted, const twin::EffectInfo& effect) {
   const auto& unknowns = fitted.problem.unknowns();
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto* const own = std::get_if<EffectParameter>(&unknowns[i].what);
-    if (own == nullptr || own->info != &effect) continue;
-    const twin::Parameter& parameter = effect.parameters[own->index];
+    const EffectParameter* const own = unknowns[i].parameterOf(effect);
+    if (own == nullptr || own->row().secondary) continue;
     const double value = unknowns[i].fromSearch(fitted.fit.x[static_cast<Eigen::Index>(i)]);
-    if (!parameter.secondary &&
-        std::abs(value - parameter.neutral) > thresholds::kNegligibleShare * (parameter.high - parameter.low))
-      return false;
+    const double range = own->row().high - own->row().low;
+    if (std::abs(value - own->row().neutral) > thresholds::kNegligibleShare * range) return false;
   }
   return !unknownsOf(effect).empty();
 }

@@ -36,12 +36,13 @@ std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectI
   std::vector<Estimate> estimates;
   const auto& unknowns = fitted.problem.unknowns();
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
-    if (parameter == nullptr || parameter->info != &effect) continue;
+    const EffectParameter* const own = unknowns[i].parameterOf(effect);
+    if (own == nullptr) continue;
+    const twin::Parameter& parameter = own->row();
     const auto at = static_cast<Eigen::Index>(i);
     if (!std::isfinite(fitted.fit.covariance(at, at))) {
-      estimates.push_back({unknowns[i].name, std::string{effect.parameters[parameter->index].unit},
-                           effect.parameters[parameter->index].neutral, unknowns[i].low, unknowns[i].high, false});
+      estimates.push_back(
+          {unknowns[i].name, std::string{parameter.unit}, parameter.neutral, unknowns[i].low, unknowns[i].high, false});
       continue;
     }
     const double x = fitted.fit.x[at], value = unknowns[i].fromSearch(x);
@@ -49,7 +50,7 @@ std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectI
     const double local = wider * std::sqrt(fitted.fit.covariance(at, at));
     double half = std::max(sharpest, thresholds::kInterval90 * local);
     if (by_logs) half = std::fmax(half, (*by_logs)[at]);
-    if (effect.parameters[parameter->index].role == twin::ParameterRole::kGoalDelay) {
+    if (parameter.role == twin::ParameterRole::kGoalDelay) {
       // A goal acts from the first firmware period after it arrives; its instant within the period before is unknown.
       const double early = fitted.problem.hypothesis().servo.firmware_period_s / 2;
       const double later = std::max(early, unknowns[i].fromSearch(x + half) - value);
@@ -57,7 +58,7 @@ std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectI
                            std::min(unknowns[i].high, value - early + later)});
       continue;
     }
-    estimates.push_back({unknowns[i].name, std::string{effect.parameters[parameter->index].unit}, value,
+    estimates.push_back({unknowns[i].name, std::string{parameter.unit}, value,
                          std::max(unknowns[i].low, unknowns[i].fromSearch(x - half)),
                          std::min(unknowns[i].high, unknowns[i].fromSearch(x + half))});
   }

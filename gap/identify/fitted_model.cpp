@@ -145,9 +145,9 @@ Eigen::VectorXd takenOut(const FittedModel& fitted, const ChosenEffect& effect, 
   const auto& unknowns = fitted.problem.unknowns();
   const twin::EffectSetting* const before = fitted.study->baseline.find(effect.info->id, effect.place);
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
-    if (parameter == nullptr || parameter->info != effect.info || !(parameter->place == effect.place)) continue;
-    const double value = before ? before->values[parameter->index] : effect.info->parameters[parameter->index].neutral;
+    const EffectParameter* const parameter = unknowns[i].parameterOf(*effect.info);
+    if (parameter == nullptr || !(parameter->place == effect.place)) continue;
+    const double value = before ? before->values[parameter->index] : parameter->row().neutral;
     x[static_cast<Eigen::Index>(i)] = unknowns[i].toSearch(value);
   }
   return fitted.problem.inBounds(std::move(x));

@@ -26,8 +26,7 @@ Eigen::MatrixXd pullsOf(const FittedModel& fitted, const std::vector<std::vector
       const Eigen::Index size = evidence.noise[i].size();
       const Eigen::VectorXd residuals = fitted.fit.residuals.segment(first_row[i], size);
       const Eigen::MatrixXd jacobian = fitted.fit.jacobian.middleRows(first_row[i], size);
-      const Eigen::VectorXd weights = residuals.unaryExpr(
-          [](double r) { return 1 / std::sqrt(1 + r * r / (thresholds::kRobustSigmas * thresholds::kRobustSigmas)); });
+      const Eigen::VectorXd weights = residuals.unaryExpr(&weightOf);
       const Eigen::MatrixXd weighted = jacobian.transpose() * weights.asDiagonal();
       others -= weighted * jacobian;
       gradient += weighted * residuals;

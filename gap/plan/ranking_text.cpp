@@ -33,8 +33,7 @@ std::string intervalOf(const FittedHypothesis& hypothesis, std::size_t i, double
   const double high = std::min(unknown.high, unknown.fromSearch(x + thresholds::kInterval90 * sigma));
   std::string text = text::generalText(low, 4) + " to " + text::generalText(high, 4);
   const auto* const parameter = std::get_if<EffectParameter>(&unknown.what);
-  if (parameter != nullptr && !parameter->info->parameters[parameter->index].unit.empty())
-    text += " " + std::string{parameter->info->parameters[parameter->index].unit};
+  if (parameter != nullptr && !parameter->row().unit.empty()) text += " " + std::string{parameter->row().unit};
   return text;
 }
 
