@@ -30,7 +30,7 @@ Evidence evidenceOf(const Plant& plant, const Case& data, const Hypothesis& hypo
 
 /// Twice the negative log likelihood of one residual, in standard deviations; large ones count linearly.
 double costOf(double residual);
-/// Of its square in a quadratic approximation of that cost.
+/// Weight of the square of such a residual in a quadratic approximation of its cost.
 double weightOf(double residual);
 
 class Problem {

@@ -16,7 +16,8 @@ struct AddedValue {
   std::string key;  // "friction"
   double value = 0, low = 0, high = 0;
 
-  /// The interval of what was found; the model counts from `by` earlier, as a delay from the firmware's next period.
+  /// The interval of the answer, moved `by` the model's value less the answer's: half a firmware period for a delay,
+  /// which the model counts from the firmware's next period.
   void setInterval(double found_low, double found_high, double by) { low = found_low + by, high = found_high + by; }
 };
 

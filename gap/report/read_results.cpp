@@ -47,7 +47,8 @@ AddedEffect effectIn(const json& from, const json& result) {
     AddedValue added{key, value.get<double>(), std::nan(""), std::nan("")};
     if (intervals.contains(key) && intervals[key].size() == 2 && intervals[key][0].is_number() &&
         intervals[key][1].is_number())
-      added.setInterval(intervals[key][0], intervals[key][1], added.value - from.at("params").value(key, added.value));
+      added.setInterval(intervals[key][0], intervals[key][1],
+                        added.value - from.value("params", json::object()).value(key, added.value));
     effect.values.push_back(added);
   }
   if (from.contains("because"))
