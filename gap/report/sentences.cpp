@@ -16,16 +16,20 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr std::size_t kRivalsNamed = 2;
+constexpr std::size_t kRivalsNamed = 3;
+
+std::string listed(std::vector<std::string> titles) {
+  if (titles.size() < 2) return text::joined(titles, "");
+  const std::string last = titles.back();
+  titles.pop_back();
+  return text::joined(titles, ", ") + " and " + last;
+}
 
 std::string titlesOf(const std::vector<IdentifiedEffect>& found) {
   std::vector<std::string> titles;
   titles.reserve(found.size());
   for (const IdentifiedEffect& one : found) titles.emplace_back(one.effect->title);
-  if (titles.size() < 2) return text::joined(titles, "");
-  const std::string last = titles.back();
-  titles.pop_back();
-  return text::joined(titles, ", ") + " and " + last;
+  return listed(titles);
 }
 
 /// False: the interval contains the value with which the effect does nothing.
@@ -54,21 +58,34 @@ std::string placeOf(const Outcome& outcome) {
          " s of " + place.file;
 }
 
+std::string titleOf(const std::string& id) {
+  const twin::EffectInfo* const info = twin::findEffect(id);
+  return info == nullptr ? id : std::string{info->title};
+}
+
+/// "dry friction, and something that these logs do not identify: torque limit, or joint flex and backlash": first what
+/// the found effects and all close rivals share.
 std::string namedByRivals(const Identification& identification) {
-  std::vector<std::string> titles{titlesOf(identification.effects)};
-  for (const Rival& rival : closeRivals(identification)) {
-    if (titles.size() > kRivalsNamed) {
-      titles.emplace_back("others");
+  std::vector<std::vector<std::string>> sets(1);
+  for (const IdentifiedEffect& found : identification.effects) sets.front().emplace_back(found.effect->id);
+  for (const Rival& rival : closeRivals(identification)) sets.push_back(rival.effects);
+  std::vector<std::string> shared;
+  for (const std::string& id : sets.front())
+    if (std::ranges::all_of(sets, [&](const auto& set) { return std::ranges::find(set, id) != set.end(); }))
+      shared.push_back(id);
+  std::vector<std::string> names;
+  for (const std::vector<std::string>& set : sets) {
+    if (names.size() > kRivalsNamed) {
+      names.emplace_back("others");
       break;
     }
-    std::vector<std::string> parts;
-    for (const std::string& id : rival.effects) {
-      const twin::EffectInfo* const info = twin::findEffect(id);
-      parts.push_back(info == nullptr ? id : std::string{info->title});
-    }
-    titles.push_back(text::joined(parts, " and "));
+    std::vector<std::string> titles;
+    for (const std::string& id : set)
+      if (std::ranges::find(shared, id) == shared.end()) titles.push_back(titleOf(id));
+    names.push_back(titles.empty() ? "nothing else" : listed(titles));
   }
-  return text::joined(titles, ", or ");
+  std::ranges::transform(shared, shared.begin(), titleOf);
+  return (shared.empty() ? "" : listed(shared) + ", and ") + messages::kNotIdentified + text::joined(names, ", or ");
 }
 
 /// Every close rival has all of the effects that were found, and one more.
@@ -101,7 +118,7 @@ std::string firstSentence(const Outcome& outcome) {
       return "The model lacks " + titlesOf(identification.effects) + firstNumber(identification) + end;
     case Verdict::kAmbiguous:
       if (onlyAdditionsAreOpen(identification)) return withOpenAdditions(identification) + end;
-      return std::string{"The model lacks "} + messages::kNotIdentified + namedByRivals(identification) + end;
+      return "The model lacks " + namedByRivals(identification) + end;
     case Verdict::kUnknown:
       return "The model lacks something that none of the " + std::to_string(twin::catalogue().size()) +
              messages::kOutsideCatalogue + placeOf(outcome) + ".";

@@ -264,6 +264,17 @@ TEST(Summary, HasTheShareOfChanceThatIsTrue) {
   EXPECT_THAT(additionsOf(rig.given, rig.outcome, "").effects.front().because.front(), HasSubstr(" " + share + " "));
 }
 
+TEST(Summary, NamesFirstWhatIsInEverySet) {
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  identification.verdict = Verdict::kAmbiguous;
+  identification.effects.push_back({twin::findEffect("viscous"), {}, 0, false});
+  identification.rivals = {{{"coulomb", "torque_limit", "backlash"}, 0}, {{"coulomb"}, 0}};
+  EXPECT_THAT(verdictSentences(rig.outcome, rig.report.comparison).front(),
+              HasSubstr("dry friction, and " + std::string{messages::kNotIdentified} +
+                        "viscous friction, or torque limit and gear backlash, or nothing else"));
+}
+
 TEST(Summary, HasASentenceForEachVerdict) {
   ReportRig rig;
   const std::pair<Verdict, std::string> sentences[] = {
