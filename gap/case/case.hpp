@@ -94,7 +94,7 @@ struct Case {
   std::vector<Prior> priors;
   std::optional<Datasheet> datasheet;
   std::vector<Trajectory> logs;
-  std::vector<Trajectory> others;  // that nothing is fitted to and nothing is chosen by: error before and after alone
+  std::vector<Trajectory> others;     // no number is fitted to them; of a roughly known motor they test what is found
   std::vector<std::string> warnings;  // sentences about data that are unusual but usable
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,23 @@ Eigen::VectorXd startOf(const FittedModel& fitted, const Problem& others, const 
   return x;
 }
 
+/// Mean |position error| over the rows of logs, rad.
+class MeanError {
+ public:
+  void add(const Plant& plant, const Case& given, std::size_t log, const Hypothesis& model) {
+    const Trajectory& measured = given.logs[log];
+    Trace trace;
+    plant.rollOut(given, log, model, {}, trace);
+    for (std::size_t row = 0; row < measured.rows(); ++row)
+      if (const double error = measured.position_rad[row] - trace[kPositionSignal][row]; !std::isnan(error))
+        sum_ += std::abs(error), ++count_;
+  }
+  [[nodiscard]] double mean() const { return sum_ / count_; }
+
+ private:
+  double sum_ = 0, count_ = 0;
+};
+
 /// Mean |position error| of these logs, rad, when the others alone are fitted.
 double errorOn(const FittedModel& fitted, const std::vector<std::size_t>& left_out) {
   const Rest rest{*fitted.evidence, left_out};
@@ -53,18 +72,10 @@ double errorOn(const FittedModel& fitted, const std::vector<std::size_t>& left_o
   if (fitted.fit.jacobian.size() != 0 && start == fitted.fit.x)
     options.jacobian = fitted.fit.jacobian(rest.rows, Eigen::all);
   const Fit fit = solve(problem, start, options);
-  double sum = 0;
-  double count = 0;
-  for (const std::size_t one : left_out) {
-    const std::size_t log = fitted.evidence->logs[one];
-    const Trajectory& measured = rest.evidence.given->logs[log];
-    Trace trace;
-    rest.evidence.plant->rollOut(*rest.evidence.given, log, problem.at(fit.x), {}, trace);
-    for (std::size_t row = 0; row < measured.rows(); ++row)
-      if (const double error = measured.position_rad[row] - trace[kPositionSignal][row]; !std::isnan(error))
-        sum += std::abs(error), ++count;
-  }
-  return sum / count;
+  MeanError error;
+  for (const std::size_t one : left_out)
+    error.add(*rest.evidence.plant, *rest.evidence.given, fitted.evidence->logs[one], problem.at(fit.x));
+  return error.mean();
 }
 
 }  // namespace
@@ -85,6 +96,20 @@ std::vector<double> leaveOneOutErrors(const FittedModel& fitted) {
   const std::vector<std::vector<std::size_t>> groups = independentLogs(*fitted.evidence);
   std::vector<double> errors(groups.size());
   forEach(groups.size(), [&](std::size_t i) { errors[i] = errorOn(fitted, groups[i]); });
+  return errors;
+}
+
+std::vector<double> predictionErrors(const Plant& plant, const Case& logs, const Hypothesis& model) {
+  std::vector<double> errors(logs.logs.size());
+  forEach(errors.size(), [&](std::size_t i) {
+    try {
+      MeanError error;
+      error.add(plant, logs, i, model);
+      errors[i] = error.mean();
+    } catch (const std::runtime_error&) {  // an arm that is too light for the inertia that was fitted
+      errors[i] = std::numbers::pi;
+    }
+  });
   return errors;
 }
 

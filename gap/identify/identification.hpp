@@ -75,7 +75,7 @@ struct Identification {
   double floor_rad = 0;                          // the same of a right model: noise alone
   Hypothesis model;                              // the baseline with the effects
   std::vector<std::string> explained;            // files of the logs that alone were fitted; empty: all were
-  bool too_few_logs = false;  // `cannot_tell`: a roughly known motor, and fewer than three independent fitted logs
+  bool too_few_logs = false;  // `cannot_tell`: a roughly known motor, and fewer than three logs that decide
   bool remains = false;       // named or ambiguous, with a remainder that no further effect was found to explain
 
   /// Chance and evidence say nothing of a model that is wrong: effects and rivals are those that predict left-out logs.

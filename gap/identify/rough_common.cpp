@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "gap/case/log_traits.hpp"
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/jackknife.hpp"
 #include "gap/identify/rough_selection.hpp"
@@ -45,6 +46,23 @@ FittedModel startedAt(const Start& start, FittedModel fitted) {
   return fitted;
 }
 
+/// Repeats of a motion on the same bench share what the model lacks, and would count as several witnesses: one of each
+/// motion, of those that are neither fitted nor held out.
+Case unusedLogsOf(Case given) {
+  std::vector<LogTraits> known;
+  for (const Trajectory& log : given.logs) known.push_back(traitsOf(log));
+  std::vector<Trajectory> unused;
+  for (const Trajectory& log : given.others) {
+    const LogTraits traits = traitsOf(log);
+    if (std::ranges::find(known, traits) != known.end()) continue;
+    known.push_back(traits);
+    unused.push_back(log);
+  }
+  given.logs = std::move(unused);
+  given.others.clear();
+  return given;
+}
+
 /// The model without the effect is inside the intervals of this one, by how far the logs disagree.
 bool mayBeNone(const FittedModel& fitted, const ChosenEffect& effect) {
   const std::optional<Eigen::VectorXd> half_widths = halfWidthsByLogs(fitted);
@@ -80,11 +98,25 @@ RoughSelection::RoughSelection(const Study& study, const Study& few, const Ident
     : study_{study},
       few_{few},
       options_{options},
+      unused_{unusedLogsOf(study.data)},
       floor_rad_{readingSigma(study.data.model.servo)},
       candidates_{candidateEffectsOf(study.data)},
       model_{
           refitWithDiscrepancy(from.effects, refitWithDiscrepancy(study, from.effects, restarted(from.effects, from)))},
-      errors_{leaveOneOutErrors(model_)} {}
+      errors_{errorsOf(model_)} {}
+
+bool RoughSelection::validatesOnUnused() const {
+  const std::size_t fitted = independentLogs(study_.evidence).size();
+  return unused_.logs.size() >= std::max<std::size_t>(CrossValidation::kFewestLogs, fitted);
+}
+
+std::vector<double> RoughSelection::errorsOf(const FittedModel& fitted) const {
+  std::vector<double> errors = predictionErrors(study_.plant, unused_, fitted.hypothesis());
+  if (validatesOnUnused()) return errors;
+  const std::vector<double> left_out = leaveOneOutErrors(fitted);
+  errors.insert(errors.end(), left_out.begin(), left_out.end());
+  return errors;
+}
 
 void RoughSelection::addCommonEffects() {
   options_.progress("effects that every servo has: friction of three kinds, encoder offset");
@@ -100,7 +132,7 @@ void RoughSelection::addCommonEffects() {
     model_ = fitFromStarts(common, bare);
     dropNeedless();
   }
-  std::vector<double> with = leaveOneOutErrors(model_);
+  std::vector<double> with = errorsOf(model_);
   if (crossValidate(errors_, with, floor_rad_).improves())
     errors_ = std::move(with);
   else
@@ -139,7 +171,7 @@ void RoughSelection::dropUncertain() {
     const ChosenEffect effect = model_.effects[i];
     if (mayBeNone(model_, effect)) {
       FittedModel less = refitWithDiscrepancy(without(model_.effects, i), model_);
-      std::vector<double> errors = leaveOneOutErrors(less);
+      std::vector<double> errors = errorsOf(less);
       if (crossValidate(errors, errors_, floor_rad_).mean < thresholds::kRareEffectHelp) {
         model_ = std::move(less), errors_ = std::move(errors);
         for (Rival& rival : rivals_) std::erase(rival.effects, effect.info->id);

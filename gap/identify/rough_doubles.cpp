@@ -62,11 +62,11 @@ std::vector<FittedModel> fitEach(const FittedModel& model, const Trial& trial) {
 
 }  // namespace
 
-/// Worse neither on the held-out logs nor on those of the fit, each left out.
+/// Worse neither on the held-out logs nor on those that decide.
 bool RoughSelection::predictsAsWell(const FittedModel& other) const {
   const twin::EffectInfo& effect = *other.effects.back().info;
   if (isAtItsBound(other, effect) || isNegligible(other, effect) || worsensHeldOut(other)) return false;
-  return !crossValidate(leaveOneOutErrors(other), errors_, floor_rad_).improves();
+  return !crossValidate(errorsOf(other), errors_, floor_rad_).improves();
 }
 
 void RoughSelection::noteDoubles() {

@@ -32,7 +32,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
   for (FittedModel& candidate : candidates) {
     const twin::EffectInfo& effect = *candidate.effects.back().info;
     if (model_.fit.cost - candidate.fit.cost < thresholds::kRareEffectGain ||
-        tested == thresholds::kCrossValidatedEffects)
+        (!validatesOnUnused() && tested == thresholds::kCrossValidatedEffects))
       continue;
     if (isAtItsBound(candidate, effect)) continue;
     if (contradictsVoltage(candidate)) {
@@ -41,15 +41,15 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
     }
     ++tested;
     candidate = refitUnderNoiseOf(candidate, model_, true);
-    std::vector<double> with = leaveOneOutErrors(candidate);
+    std::vector<double> with = errorsOf(candidate);
     const CrossValidation validation = crossValidate(errors_, with, floor_rad_);
     char text[160];
-    std::snprintf(text, sizeof text, "%s: leave-one-log-out prediction error ratio %.2f, %.2f to %.2f",
-                  std::string{effect.id}.c_str(), std::exp(validation.mean),
-                  std::exp(validation.mean - 2 * validation.error), std::exp(validation.mean + 2 * validation.error));
+    std::snprintf(text, sizeof text, "%s: prediction error ratio %.2f, %.2f to %.2f", std::string{effect.id}.c_str(),
+                  std::exp(validation.mean), std::exp(validation.mean - 2 * validation.error),
+                  std::exp(validation.mean + 2 * validation.error));
     options_.progress(text);
     const bool helps = validation.mean >= thresholds::kRareEffectHelp;
-    if (!helps || !validation.improves())
+    if (!helps || !validation.improvesBy(thresholds::kRareEffectHelp))
       rejected_.push_back({&effect, helps ? RejectionReason::kUndecided : RejectionReason::kNoPredictiveGain});
     if (helps) helping.push_back({&candidate, validation, std::move(with)});
   }
@@ -57,7 +57,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
   return helping;
 }
 
-// What some left-out logs ask for and others refuse is decided by logs that are not there: full duty, another gain.
+// What some logs ask for and others refuse is decided by logs that are not there: full duty, another gain.
 void RoughSelection::noteRivals(const std::vector<Tested>& tested, const Tested* best) {
   std::vector<std::string_view> again;
   for (const Tested& one : tested) again.push_back(one.model->effects.back().info->id);
@@ -99,7 +99,7 @@ bool RoughSelection::accept(FittedModel with) {
   FittedModel before = std::exchange(model_, std::move(with));
   dropNeedless();
   dropAtBounds();
-  std::vector<double> errors = leaveOneOutErrors(model_);
+  std::vector<double> errors = errorsOf(model_);
   const bool helps = model_.effects.size() == effects || crossValidate(errors_, errors, floor_rad_).improves();
   if (helps)
     errors_ = std::move(errors);
@@ -113,7 +113,7 @@ bool RoughSelection::addRareEffect() {
   std::vector<Tested> helping = testRareEffects(candidates);
   std::ranges::stable_sort(helping, std::greater{}, [](const Tested& one) { return one.validation.mean; });
   for (Tested& one : helping) {
-    if (!one.validation.improves() || worsensHeldOut(*one.model)) continue;
+    if (!one.validation.improvesBy(thresholds::kRareEffectHelp) || worsensHeldOut(*one.model)) continue;
     const twin::EffectInfo& added = *one.model->effects.back().info;
     FittedModel with = refitWithDiscrepancy(one.model->effects, *one.model);
     one.refused = isAtItsBound(with, added) || !accept(std::move(with));
@@ -160,8 +160,7 @@ Identification RoughSelection::result() const {
   if ((found.remains || !found.effects.empty()) && gap::worsensHeldOut(study_, found.model, found.floor_rad))
     withdraw(study_, true, found);
   // No effect could have been named, whatever the logs contain.
-  if (found.verdict == Verdict::kUnknown &&
-      std::ssize(independentLogs(*model_.evidence)) < CrossValidation::kFewestLogs) {
+  if (found.verdict == Verdict::kUnknown && std::ssize(errors_) < CrossValidation::kFewestLogs) {
     if (!found.effects.empty()) withdraw(study_, false, found);
     found.verdict = Verdict::kCannotTell, found.too_few_logs = true;
   }

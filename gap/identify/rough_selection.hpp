@@ -25,25 +25,30 @@ bool isNeedless(const twin::EffectInfo& effect, const FittedModel& with, const F
 class RoughSelection {
  public:
   /// Starts with the effects of `from`. Other starts are compared on the logs of `few`, which may be `study`.
-  /// Both and `options` must outlive this.
+  /// Both and `options` must outlive this. What predicts better is decided by logs that no fit uses, if they are at
+  /// least as many as the fitted ones; else by those and by each fitted log, left out.
   RoughSelection(const Study& study, const Study& few, const IdentifyOptions& options, const FittedModel& from);
 
   void run();
   [[nodiscard]] Identification result() const;
   /// Replaces the model by `with`, less what is needless there or at the end of its range. False: that took away so
-  /// much that left-out logs are predicted no better than before, and the model stays.
+  /// much that nothing is predicted better than before, and the model stays.
   [[nodiscard]] bool accept(FittedModel with);
   [[nodiscard]] const FittedModel& model() const { return model_; }
 
  private:
-  /// A rarer effect that reduces the mean of the leave-one-out errors.
+  /// A rarer effect that reduces the mean of the prediction errors.
   struct Tested {
     const FittedModel* model = nullptr;
     CrossValidation validation;
-    std::vector<double> errors;  // of each log, left out
+    std::vector<double> errors;  // errorsOf() it
     bool refused = false;  // at the end of its range, or nothing is gained once what is needless beside it is gone
   };
 
+  /// Prediction error of each log that decides.
+  [[nodiscard]] std::vector<double> errorsOf(const FittedModel& fitted) const;
+  /// The unused logs suffice: no fit has to leave any out.
+  [[nodiscard]] bool validatesOnUnused() const;
   void addCommonEffects();
   [[nodiscard]] bool addRareEffect();
   /// Those of `candidates` that are tested are fitted more finely.
@@ -59,7 +64,7 @@ class RoughSelection {
   [[nodiscard]] bool worsensHeldOut(const FittedModel& with) const;
   void dropNeedless();
   void dropAtBounds();
-  /// Drops effects whose intervals contain "no effect" and that do not help to predict left-out logs either.
+  /// Drops effects whose intervals contain "no effect" and that do not help to predict either.
   void dropUncertain();
   [[nodiscard]] std::optional<std::size_t> leastAtBound() const;
   [[nodiscard]] FittedModel fitFromStarts(const Effects& effects, const FittedModel& bare) const;
@@ -68,10 +73,11 @@ class RoughSelection {
 
   const Study &study_, &few_;
   const IdentifyOptions& options_;
-  double floor_rad_;  // of the encoder
+  const Case unused_;  // logs of the folder that are neither fitted nor held out, one of each motion
+  double floor_rad_;   // of the encoder
   std::vector<const twin::EffectInfo*> candidates_;
   FittedModel model_;
-  std::vector<double> errors_;  // of model_, each log left out
+  std::vector<double> errors_;  // errorsOf(model_)
   std::vector<Rival> rivals_;
   std::vector<RejectedEffect> rejected_;
 };

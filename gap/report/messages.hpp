@@ -31,8 +31,8 @@ inline constexpr const char* kOutsideCatalogue = " known effects explains";
 inline constexpr const char* kTooLittle =
     "These logs differ from the model, but by too little, or in too few ways, to say why.";
 inline constexpr const char* kTooFewLogs =
-    "These logs differ from the model, but a roughly known motor needs three fitted logs, repeats counted once, to say "
-    "why.";
+    "These logs differ from the model, but a roughly known motor needs three logs that are not held out, "
+    "repeats counted once, to say why.";
 inline constexpr const char* kRemainder = "; a remainder is left that no further effect was found to explain.";
 inline constexpr const char* kWriteTime =
     "Goals were written %s ms before the read of their row: fitted, since no log says it. A delay below one row looks "
@@ -52,7 +52,9 @@ inline constexpr const char* kHeldOutUse =
     "An effect that makes these logs worse is dropped: they are not independent of the choice of names, but no number "
     "is fitted to them.";
 inline constexpr const char* kOtherUse =
-    "Logs with \"role\": \"other\" decide nothing; their errors are only reported.";
+    "To logs with \"role\": \"other\" no number is fitted. Of a servo from a data sheet they decide whether an "
+    "effect predicts better, one log of each motion and bench: alone, if there are as many as fitted logs; else "
+    "beside those, each left out.";
 inline constexpr const char* kNoHeldOutLog = "No log of this case is held out.";
 inline constexpr const char* kWorse = "do not use the changed model";
 inline constexpr const char* kBelowFloorFlag = "below the floor";

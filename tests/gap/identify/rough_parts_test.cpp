@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "gap/fit/discrepancy.hpp"
+#include "gap/identify/cross_validation.hpp"
 #include "gap/identify/fitted_model.hpp"
 #include "gap/identify/shown.hpp"
 #include "gap/identify/supply_check.hpp"
@@ -58,6 +59,24 @@ TEST(Voltage, ThatNobodyMeasuredSaysNothing) {
   Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
   for (Trajectory& log : given.logs) log.volt_v.assign(log.rows(), std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(contradictsVoltage(sagging(Study{given, fewRuns()}, 3)));
+}
+
+TEST(PredictionErrors, AreThoseOfEachLogByItself) {
+  const Case bench = manualBench();
+  Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
+  for (double& position : given.logs[1].position_rad) position += 0.02;
+  given.logs[1].position_rad[5] = std::numeric_limits<double>::quiet_NaN();  // masked
+  const std::vector<double> errors = predictionErrors(plantOf(given), given, baselineOf(given));
+  ASSERT_EQ(errors.size(), given.logs.size());
+  EXPECT_LT(errors[0], 0.003);
+  EXPECT_NEAR(errors[1], 0.02, 0.003);
+}
+
+TEST(PredictionErrors, OfWhatIsImpossibleAreLarge) {
+  Case given = manualBench();
+  for (Trajectory& log : given.logs) log.position_rad = log.goal_rad;
+  const Hypothesis no_inertia = withEffect(given, "inertia", "change", -1);
+  for (const double error : predictionErrors(plantOf(given), given, no_inertia)) EXPECT_GT(error, 3);
 }
 
 TEST(Discrepancy, IsWhatMostSamplesAreOffBy) {

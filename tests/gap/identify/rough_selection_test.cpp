@@ -62,14 +62,18 @@ TEST(RoughNumbers, WhatEveryServoHasIsFoundThoughSomethingRemains) {
   EXPECT_LT(identification.gap_after_rad, 0.15 * identification.gap_before_rad);
 }
 
-TEST(RoughNumbers, TwoRarerEffectsAreNamedOneAfterTheOther) {
-  const Case bench = manualBench();
+Hypothesis slowToStart(const Case& bench) {
   Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.1);
   valueOf(truth.with(*twin::findEffect("viscous")), "damping") = 0.04;
   valueOf(truth.with(*twin::findEffect("accel_limit")), "accel") = 30;
   valueOf(truth.with(*twin::findEffect("transport_delay")), "delay") = 0.03;
+  return truth;
+}
+
+TEST(RoughNumbers, TwoRarerEffectsAreNamedOneAfterTheOther) {
+  const Case bench = manualBench();
   const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};
-  const Case given = measuredIn(gusts, bench, truth);
+  const Case given = measuredIn(gusts, bench, slowToStart(bench));
   const Study study{given};
   Case some = given;  // starts are compared on half of the logs
   for (std::size_t i = 0; i < 6; i += 2) some.logs[i].held_out = true;
@@ -82,6 +86,76 @@ TEST(RoughNumbers, TwoRarerEffectsAreNamedOneAfterTheOther) {
   for (const char* const id : {"coulomb", "viscous", "accel_limit", "transport_delay"})
     EXPECT_NE(foundIn(identification, id), nullptr) << id;
   EXPECT_LT(identification.gap_after_rad, 0.15 * identification.gap_before_rad);
+}
+
+constexpr Disturbance kGusts{.torque_nm = 0.06, .torque_time_s = 0.4};
+
+Identification selected(const Case& given) {
+  const Study study{given};
+  const IdentifyOptions options;
+  RoughSelection selection{study, study, options, baselineAlone(study, Nuisance::kFree)};
+  selection.run();
+  return selection.result();
+}
+
+/// Of a servo that is slow to start; no fit uses `others`.
+Case slowServo(std::vector<Trajectory> others) {
+  const Case bench = manualBench();
+  Case given = measuredIn(kGusts, bench, slowToStart(bench));
+  given.others = std::move(others);
+  return given;
+}
+
+/// Of the same motions with another payload.
+std::vector<Trajectory> othersOf(const Hypothesis& truth, double payload_kg) {
+  Case bench = manualBench();
+  for (Trajectory& log : bench.logs) log.payload_kg = payload_kg, log.held_out = false;
+  return measuredIn(kGusts, bench, truth).logs;
+}
+
+Hypothesis quickServo() {
+  return withEffect(manualBench(), "coulomb", "friction", 0.1);
+}
+
+TEST(RoughNumbers, UnusedLogsConfirmWhatFittedOnesShow) {
+  const Identification found = selected(slowServo(othersOf(slowToStart(manualBench()), 0.3)));
+  SCOPED_TRACE(namesIn(found));
+  for (const char* const id : {"coulomb", "viscous", "accel_limit", "transport_delay"})
+    EXPECT_NE(foundIn(found, id), nullptr) << id;
+}
+
+TEST(RoughNumbers, UnusedLogsRefuteWhatFittedOnesShow) {
+  const Identification found = selected(slowServo(othersOf(quickServo(), 0.3)));
+  SCOPED_TRACE(namesIn(found));
+  EXPECT_EQ(foundIn(found, "accel_limit"), nullptr);
+  EXPECT_EQ(foundIn(found, "transport_delay"), nullptr);
+}
+
+// Of the same motions on the same bench: fitted ones share what the model lacks, held-out ones must not decide.
+TEST(RoughNumbers, RepeatsOfTheLogsOfTheCaseDoNotDecide) {
+  const Identification found = selected(slowServo(othersOf(quickServo(), 0.4)));
+  SCOPED_TRACE(namesIn(found));
+  EXPECT_NE(foundIn(found, "accel_limit"), nullptr);
+  EXPECT_NE(foundIn(found, "transport_delay"), nullptr);
+}
+
+/// Two fitted logs, and `count` that no fit uses.
+Identification withUnused(std::size_t count) {
+  std::vector<Trajectory> others = othersOf(slowToStart(manualBench()), 0.3);
+  others.resize(count);
+  Case given = slowServo(std::move(others));
+  given.logs.resize(2);
+  return selected(given);
+}
+
+TEST(RoughNumbers, UnusedLogsCountWhereFittedOnesAreTooFew) {
+  EXPECT_TRUE(withUnused(0).too_few_logs);
+  for (const std::size_t count : {1U, 3U}) {
+    const Identification found = withUnused(count);
+    SCOPED_TRACE(namesIn(found));
+    EXPECT_FALSE(found.too_few_logs) << count;
+    EXPECT_TRUE(foundIn(found, "accel_limit") != nullptr || isRival(found, "accel_limit")) << count;
+  }
 }
 
 TEST(FewerLogs, AreAThirdOfManyAndAllOfFew) {
