@@ -17,6 +17,15 @@
 
 namespace darwinop::gap {
 
+namespace {
+
+/// Of what every servo has, that it predicts better is enough; a rarer effect has more rivals that do by chance.
+bool isConfirmed(const twin::EffectInfo& effect, const CrossValidation& validation) {
+  return isCommon(effect) ? validation.improves() : validation.improvesBy(thresholds::kRareEffectHelp);
+}
+
+}  // namespace
+
 void RoughSelection::run() {
   addCommonEffects();
   for (int i = 0; i < thresholds::kMaxRareEffects && addRareEffect(); ++i) {
@@ -49,7 +58,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
                   std::exp(validation.mean + 2 * validation.error));
     options_.progress(text);
     const bool helps = validation.mean >= thresholds::kRareEffectHelp;
-    if (!helps || !validation.improvesBy(thresholds::kRareEffectHelp))
+    if (!helps || !isConfirmed(effect, validation))
       rejected_.push_back({&effect, helps ? RejectionReason::kUndecided : RejectionReason::kNoPredictiveGain});
     if (helps) helping.push_back({&candidate, validation, std::move(with)});
   }
@@ -113,8 +122,8 @@ bool RoughSelection::addRareEffect() {
   std::vector<Tested> helping = testRareEffects(candidates);
   std::ranges::stable_sort(helping, std::greater{}, [](const Tested& one) { return one.validation.mean; });
   for (Tested& one : helping) {
-    if (!one.validation.improvesBy(thresholds::kRareEffectHelp) || worsensHeldOut(*one.model)) continue;
     const twin::EffectInfo& added = *one.model->effects.back().info;
+    if (!isConfirmed(added, one.validation) || worsensHeldOut(*one.model)) continue;
     FittedModel with = refitWithDiscrepancy(one.model->effects, *one.model);
     one.refused = isAtItsBound(with, added) || !accept(std::move(with));
     if (one.refused) continue;
