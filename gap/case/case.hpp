@@ -32,7 +32,7 @@ struct MaskedReadings {
 struct Trajectory {
   std::string file;                      // as the case names it: "fit_1.csv"
   std::string kind;                      // what the joint did: "steps"; logs of one kind have one noise
-  bool held_out = false;                 // not used by any fit; verifies the result
+  bool held_out = false;                 // no fit uses it, and it names no effect; verifies the result
   std::optional<std::size_t> repeat_of;  // index of the log that this one repeats
 
   std::optional<Joint> joint;  // whose servo, in the recording of a robot
@@ -94,7 +94,7 @@ struct Case {
   std::vector<Prior> priors;
   std::optional<Datasheet> datasheet;
   std::vector<Trajectory> logs;
-  std::vector<Trajectory> others;     // no number is fitted to them; of a roughly known motor they test what is found
+  std::vector<Trajectory> others;     // no number is fitted to them; those that are not held out are for validation
   std::vector<std::string> warnings;  // sentences about data that are unusual but usable
 };
 

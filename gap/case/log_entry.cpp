@@ -52,8 +52,9 @@ std::string logFileIn(Fields& entry) {
 }
 
 EntryRole roleIn(Fields& entry) {
-  constexpr std::array kRoles{EntryRole::kFit, EntryRole::kHeldOut, EntryRole::kOther, EntryRole::kHeldOut};
-  return kRoles.at(entry.word("role", {"fit", "held_out", "other", "score"}, kRoles.size()));
+  constexpr std::array kRoles{EntryRole::kFit, EntryRole::kHeldOut, EntryRole::kValidation, EntryRole::kOther,
+                              EntryRole::kHeldOut};
+  return kRoles.at(entry.word("role", {"fit", "held_out", "validation", "other", "score"}, kRoles.size()));
 }
 
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
@@ -61,8 +62,8 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   out.head.file = logFileIn(entry);
   out.head.kind = entry.text("trajectory", kindOf(out.head.file));
   const EntryRole role = roleIn(entry);
-  out.head.held_out = role == EntryRole::kHeldOut;
-  out.is_other = role == EntryRole::kOther;
+  out.head.held_out = role == EntryRole::kHeldOut || role == EntryRole::kOther;
+  out.is_other = role == EntryRole::kValidation || role == EntryRole::kOther;
   for (const ArmKey& key : armKeys())
     if (key.member == nullptr)
       out.head.payload_kg = entry.number(key.json, key.rule);

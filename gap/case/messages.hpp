@@ -28,11 +28,11 @@ inline constexpr const char* kNotJsonObject = "not a JSON object";
 inline constexpr const char* kOtherColumn = "is an encoding of another column";
 inline constexpr const char* kOtherDatasheetVoltage = "is of another voltage than ";
 inline constexpr const char* kOtherGainOrPayload = "which has another kp, payload, arm or supply";
-inline constexpr const char* kOtherOfBody = "is other, which only a case of one servo has; take fit or held_out";
+inline constexpr const char* kOtherOfBody = "is one that only a case of one servo has; take fit or held_out";
 inline constexpr const char* kOfAnotherRobot =
     " is not one of a DARwIn-OP, so `add` changes all joints of a robot's model";
 inline constexpr const char* kOtherJoint = "is another one than that of `logs[0]`";
-inline constexpr const char* kRepeatOfAnother = "names or is a log with \"role\": \"other\"";
+inline constexpr const char* kRepeatOfAnother = "names or is a log with \"role\": \"validation\" or \"other\"";
 inline constexpr const char* kRepeatOfItself = "names the log itself";
 inline constexpr const char* kRepeatOfNothing = "names no log of this case";
 inline constexpr const char* kSecondSigma = "stands for a number that has a sigma already";

@@ -42,7 +42,7 @@ struct LogEntry {
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);
 /// Of an entry: `file`, which must be in the folder, and `role`.
 std::string logFileIn(Fields& entry);
-enum class EntryRole : std::uint8_t { kFit, kHeldOut, kOther };
+enum class EntryRole : std::uint8_t { kFit, kHeldOut, kValidation, kOther };
 EntryRole roleIn(Fields& entry);
 
 /// The rows of a log. A recording of the runtime, docs/logs.md, also has some values of `entry`. Throws

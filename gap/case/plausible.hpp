@@ -19,6 +19,9 @@ void checkRepeats(Case& c);
 /// For each log the earlier one that has the same goals and positions, row by row: one measurement, copied.
 std::vector<std::optional<std::size_t>> duplicates(const Case& c);
 
+/// Both repeat one motion on one bench, whether or not it is declared.
+bool isRepeat(const Trajectory& a, const Trajectory& b);
+
 /// Median time between rows.
 double periodOf(const Trajectory& log);
 /// In rad/s without load, by the model, at the supply of the case or of a log.

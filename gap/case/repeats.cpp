@@ -8,7 +8,9 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kSameGoals = 0.1;  // rms of the difference over that of the goals; clocks differ by a row
+constexpr double kSameGoals = 0.1;    // rms of the difference over that of the goals; clocks differ by a row
+constexpr double kSameRelease = 0.1;  // share of the rows; ends of logs differ
+constexpr double kSameSupply = 0.04;  // relative, as measured on one bench: 12.1 and 11.8 V
 
 /// Rms of a - b where both run, row by row of a, by time since the first row; over the rms of a about its mean.
 double goalsApart(const Trajectory& a, const Trajectory& b) {
@@ -37,7 +39,26 @@ bool isCopy(const Trajectory& a, const Trajectory& b) {
   return std::ranges::adjacent_find(a.position_rad, moves) != a.position_rad.end();
 }
 
+bool haveOneArm(const Trajectory& a, const Trajectory& b) {
+  return a.payload_kg == b.payload_kg && a.length_m == b.length_m && a.arm_mass_kg == b.arm_mass_kg;
+}
+
+bool haveOneSupply(const Trajectory& a, const Trajectory& b) {
+  if (!a.supply_v || !b.supply_v) return a.supply_v.has_value() == b.supply_v.has_value();
+  return std::abs(*a.supply_v / *b.supply_v - 1) <= kSameSupply;
+}
+
+/// Share of the rows without torque.
+double released(const Trajectory& log) {
+  return static_cast<double>(std::ranges::count(log.torque_on, 0)) / static_cast<double>(log.rows());
+}
+
 }  // namespace
+
+bool isRepeat(const Trajectory& a, const Trajectory& b) {
+  return a.p_register == b.p_register && haveOneArm(a, b) && haveOneSupply(a, b) &&
+         std::abs(released(a) - released(b)) <= kSameRelease && goalsApart(a, b) <= kSameGoals;
+}
 
 std::vector<std::optional<std::size_t>> duplicates(const Case& c) {
   std::vector<std::optional<std::size_t>> of(c.logs.size());
@@ -54,9 +75,7 @@ void checkRepeats(Case& c) {
     if (!log.repeat_of) continue;
     const Trajectory& first = c.logs[*log.repeat_of];
     const std::string place = file + ": `logs[" + std::to_string(i) + "].repeat_of` ";
-    const bool same_bench = log.payload_kg == first.payload_kg && log.length_m == first.length_m &&
-                            log.arm_mass_kg == first.arm_mass_kg && log.supply_v == first.supply_v;
-    if (log.p_register != first.p_register || !same_bench)
+    if (log.p_register != first.p_register || !haveOneArm(log, first) || log.supply_v != first.supply_v)
       throw BadInput(place + "names " + first.file + ", " + messages::kOtherGainOrPayload + "; a repeat has the same");
     if (goalsApart(log, first) > kSameGoals)
       throw BadInput(place + "names " + first.file + ", which has other goals; a repeat has the same");

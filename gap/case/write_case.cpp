@@ -122,7 +122,7 @@ Json entryOf(const Case& c, const Trajectory& log, const char* role) {
 Json logsOf(const Case& c) {
   Json list = Json::array();
   for (const Trajectory& log : c.logs) list.push_back(entryOf(c, log, log.held_out ? "held_out" : "fit"));
-  for (const Trajectory& log : c.others) list.push_back(entryOf(c, log, "other"));
+  for (const Trajectory& log : c.others) list.push_back(entryOf(c, log, log.held_out ? "other" : "validation"));
   return list;
 }
 

@@ -78,7 +78,7 @@ struct Identification {
   bool too_few_logs = false;  // `cannot_tell`: a roughly known motor, and fewer than three logs that decide
   bool remains = false;       // named or ambiguous, with a remainder that no further effect was found to explain
 
-  /// Chance and evidence say nothing of a model that is wrong: effects and rivals are those that predict left-out logs.
+  /// Chance and evidence say nothing of a model that is wrong: effects and rivals are those that predict.
   [[nodiscard]] bool isSelectedByPrediction() const { return std::isnan(threshold); }
 };
 

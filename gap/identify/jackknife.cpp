@@ -57,4 +57,11 @@ std::optional<Eigen::VectorXd> halfWidthsByLogs(const FittedModel& fitted) {
   return half_widths;
 }
 
+bool mayBeNone(const FittedModel& fitted, const ChosenEffect& effect) {
+  const std::optional<Eigen::VectorXd> half_widths = halfWidthsByLogs(fitted);
+  if (!half_widths) return false;
+  const Eigen::VectorXd off = (fitted.fit.x - takenOut(fitted, effect, fitted.fit.x)).cwiseAbs();
+  return (off.array() <= half_widths->array()).all();
+}
+
 }  // namespace darwinop::gap

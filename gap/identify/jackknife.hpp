@@ -11,5 +11,7 @@ namespace darwinop::gap {
 /// Half widths of 90 % intervals of the unknowns, search variables; infinite for what one log alone shows. None with
 /// fewer than CrossValidation::kFewestLogs independent logs, or without a Jacobian.
 std::optional<Eigen::VectorXd> halfWidthsByLogs(const FittedModel& fitted);
+/// The model without the effect is inside these intervals.
+bool mayBeNone(const FittedModel& fitted, const ChosenEffect& effect);
 
 }  // namespace darwinop::gap

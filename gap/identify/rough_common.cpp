@@ -6,7 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "gap/case/log_traits.hpp"
+#include "gap/case/median.hpp"
+#include "gap/case/plausible.hpp"
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/jackknife.hpp"
 #include "gap/identify/rough_selection.hpp"
@@ -15,10 +16,6 @@
 
 namespace darwinop::gap {
 namespace {
-
-bool isCommon(const twin::EffectInfo& effect) {
-  return effect.prevalence == twin::Prevalence::kCommon;
-}
 
 /// A start with these effects, every number of the baseline at its expected value.
 FittedModel restarted(const Effects& effects, const FittedModel& from) {
@@ -46,32 +43,30 @@ FittedModel startedAt(const Start& start, FittedModel fitted) {
   return fitted;
 }
 
-/// Repeats of a motion on the same bench share what the model lacks, and would count as several witnesses: one of each
-/// motion, of those that are neither fitted nor held out.
-Case unusedLogsOf(Case given) {
-  std::vector<LogTraits> known;
-  for (const Trajectory& log : given.logs) known.push_back(traitsOf(log));
-  std::vector<Trajectory> unused;
-  for (const Trajectory& log : given.others) {
-    const LogTraits traits = traitsOf(log);
-    if (std::ranges::find(known, traits) != known.end()) continue;
-    known.push_back(traits);
-    unused.push_back(log);
-  }
-  given.logs = std::move(unused);
-  given.others.clear();
-  return given;
-}
-
-/// The model without the effect is inside the intervals of this one, by how far the logs disagree.
-bool mayBeNone(const FittedModel& fitted, const ChosenEffect& effect) {
-  const std::optional<Eigen::VectorXd> half_widths = halfWidthsByLogs(fitted);
-  if (!half_widths) return false;
-  const Eigen::VectorXd off = (fitted.fit.x - takenOut(fitted, effect, fitted.fit.x)).cwiseAbs();
-  return (off.array() <= half_widths->array()).all();
+/// The logs for validation, one of each motion and bench: repeats share what the model lacks, and those of a fitted log
+/// would confirm what stands for it there. One that was cut short shows little, and counts as much as others.
+Case validationLogsOf(const Case& given) {
+  std::vector<double> durations;
+  for (const Trajectory& log : given.others) durations.push_back(log.duration_s());
+  const double usual_s = medianOf(durations);
+  Case validation = given;
+  validation.logs.clear();
+  const auto repeats_one_of = [](const std::vector<Trajectory>& logs, const Trajectory& log) {
+    return std::ranges::any_of(logs, [&](const Trajectory& other) { return isRepeat(log, other); });
+  };
+  for (const Trajectory& log : given.others)
+    if (!log.held_out && log.duration_s() >= usual_s / 2 && !repeats_one_of(given.logs, log) &&
+        !repeats_one_of(validation.logs, log))
+      validation.logs.push_back(log);
+  validation.others.clear();
+  return validation;
 }
 
 }  // namespace
+
+bool isCommon(const twin::EffectInfo& effect) {
+  return effect.prevalence == twin::Prevalence::kCommon;
+}
 
 double leastRoughGain(const twin::EffectInfo& effect) {
   return isCommon(effect) ? thresholds::kCommonEffectGain : thresholds::kRareEffectGain;
@@ -98,21 +93,21 @@ RoughSelection::RoughSelection(const Study& study, const Study& few, const Ident
     : study_{study},
       few_{few},
       options_{options},
-      unused_{unusedLogsOf(study.data)},
+      validation_{validationLogsOf(study.data)},
       floor_rad_{readingSigma(study.data.model.servo)},
       candidates_{candidateEffectsOf(study.data)},
       model_{
           refitWithDiscrepancy(from.effects, refitWithDiscrepancy(study, from.effects, restarted(from.effects, from)))},
       errors_{errorsOf(model_)} {}
 
-bool RoughSelection::validatesOnUnused() const {
+bool RoughSelection::validationSuffices() const {
   const std::size_t fitted = independentLogs(study_.evidence).size();
-  return unused_.logs.size() >= std::max<std::size_t>(CrossValidation::kFewestLogs, fitted);
+  return validation_.logs.size() >= std::max<std::size_t>(CrossValidation::kFewestLogs, fitted);
 }
 
 std::vector<double> RoughSelection::errorsOf(const FittedModel& fitted) const {
-  std::vector<double> errors = predictionErrors(study_.plant, unused_, fitted.hypothesis());
-  if (validatesOnUnused()) return errors;
+  std::vector<double> errors = predictionErrors(study_.plant, validation_, fitted.hypothesis());
+  if (validationSuffices()) return errors;
   const std::vector<double> left_out = leaveOneOutErrors(fitted);
   errors.insert(errors.end(), left_out.begin(), left_out.end());
   return errors;

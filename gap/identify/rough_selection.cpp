@@ -9,9 +9,11 @@
 
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/held_out.hpp"
+#include "gap/identify/jackknife.hpp"
 #include "gap/identify/rivals.hpp"
 #include "gap/identify/shortlist.hpp"
 #include "gap/identify/supply_check.hpp"
+#include "gap/plant/baseline_alias.hpp"
 #include "gap/plant/position_error.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -34,6 +36,8 @@ void RoughSelection::run() {
   noteDoubles();
 }
 
+// Where the logs disagree whether a number of the owner is wrong, his measurement counts: a load mass stood for
+// friction.
 std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<FittedModel>& candidates) {
   std::vector<Tested> helping;
   std::size_t tested = 0;
@@ -41,7 +45,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
   for (FittedModel& candidate : candidates) {
     const twin::EffectInfo& effect = *candidate.effects.back().info;
     if (model_.fit.cost - candidate.fit.cost < thresholds::kRareEffectGain ||
-        (!validatesOnUnused() && tested == thresholds::kCrossValidatedEffects))
+        (!validationSuffices() && tested == thresholds::kCrossValidatedEffects))
       continue;
     if (isAtItsBound(candidate, effect)) continue;
     if (contradictsVoltage(candidate)) {
@@ -58,9 +62,10 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
                   std::exp(validation.mean + 2 * validation.error));
     options_.progress(text);
     const bool helps = validation.mean >= thresholds::kRareEffectHelp;
-    if (!helps || !isConfirmed(effect, validation))
+    const bool is_measured = aliasesAPrior(study_.data, effect) && mayBeNone(candidate, candidate.effects.back());
+    if (!helps || is_measured || !isConfirmed(effect, validation))
       rejected_.push_back({&effect, helps ? RejectionReason::kUndecided : RejectionReason::kNoPredictiveGain});
-    if (helps) helping.push_back({&candidate, validation, std::move(with)});
+    if (helps && !is_measured) helping.push_back({&candidate, validation, std::move(with)});
   }
   std::ranges::stable_sort(rejected_, {}, &RejectedEffect::why);
   return helping;

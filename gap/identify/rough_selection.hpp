@@ -15,6 +15,8 @@ namespace darwinop::gap {
 FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from);
 FittedModel refitWithDiscrepancy(const Study& study, const Effects& effects, const FittedModel& from);
 
+/// Every servo has it.
+bool isCommon(const twin::EffectInfo& effect);
 /// Cost that an effect has to remove to stay.
 double leastRoughGain(const twin::EffectInfo& effect);
 /// Less is removed by `with`, which has the effect, as against `less`.
@@ -25,7 +27,7 @@ bool isNeedless(const twin::EffectInfo& effect, const FittedModel& with, const F
 class RoughSelection {
  public:
   /// Starts with the effects of `from`. Other starts are compared on the logs of `few`, which may be `study`.
-  /// Both and `options` must outlive this. What predicts better is decided by logs that no fit uses, if they are at
+  /// Both and `options` must outlive this. What predicts better is decided by the logs for validation, if they are at
   /// least as many as the fitted ones; else by those and by each fitted log, left out.
   RoughSelection(const Study& study, const Study& few, const IdentifyOptions& options, const FittedModel& from);
 
@@ -47,8 +49,8 @@ class RoughSelection {
 
   /// Prediction error of each log that decides.
   [[nodiscard]] std::vector<double> errorsOf(const FittedModel& fitted) const;
-  /// The unused logs suffice: no fit has to leave any out.
-  [[nodiscard]] bool validatesOnUnused() const;
+  /// No fit has to leave any log out.
+  [[nodiscard]] bool validationSuffices() const;
   void addCommonEffects();
   [[nodiscard]] bool addRareEffect();
   /// Those of `candidates` that are tested are fitted more finely.
@@ -73,8 +75,8 @@ class RoughSelection {
 
   const Study &study_, &few_;
   const IdentifyOptions& options_;
-  const Case unused_;  // logs of the folder that are neither fitted nor held out, one of each motion
-  double floor_rad_;   // of the encoder
+  const Case validation_;  // no fit uses its logs
+  double floor_rad_;       // of the encoder
   std::vector<const twin::EffectInfo*> candidates_;
   FittedModel model_;
   std::vector<double> errors_;  // errorsOf(model_)

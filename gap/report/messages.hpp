@@ -4,17 +4,17 @@
 namespace darwinop::gap::messages {
 
 // Why an effect that improves the fit is not named: after its id, and after its title.
-inline constexpr const char* kPredictsAsWell = "predicts left-out logs as well";
-inline constexpr const char* kMayPredictBetter = "may predict left-out logs better";
+inline constexpr const char* kPredictsAsWell = "predicts other logs as well";
+inline constexpr const char* kMayPredictBetter = "may predict other logs better";
 inline constexpr const char* kVoltage = "fits, but the measured voltage does not drop as this effect requires";
 inline constexpr const char* kUndecided = "possible; the report names the experiment that decides";
-inline constexpr const char* kNoPredictiveGain = "fits these logs and predicts no left-out log better";
+inline constexpr const char* kNoPredictiveGain = "fits these logs and predicts others no better";
 inline constexpr const char* kWorsensHeldOut = "fits these logs and worsens the held-out logs";
 inline constexpr const char* kSmallShare = "gains more than chance, and hardly reduces the gap";
 inline constexpr const char* kVoltageInFull =
     " would improve the fit, but the measured voltage does not drop as this effect requires.";
 inline constexpr const char* kNoPredictiveGainInFull =
-    " would improve the fit, but predicts no log better that the fit leaves out.";
+    " would improve the fit, but predicts no better what is not fitted.";
 inline constexpr const char* kWorsensHeldOutInFull =
     " would improve the fit, but increases the error on the held-out logs.";
 inline constexpr const char* kSmallShareInFull =
@@ -52,9 +52,9 @@ inline constexpr const char* kHeldOutUse =
     "An effect that makes these logs worse is dropped: they are not independent of the choice of names, but no number "
     "is fitted to them.";
 inline constexpr const char* kOtherUse =
-    "To logs with \"role\": \"other\" no number is fitted. Of a servo from a data sheet they decide whether an "
-    "effect predicts better, one log of each motion and bench: alone, if there are as many as fitted logs; else "
-    "beside those, each left out.";
+    "To these logs no number is fitted. Those with \"role\": \"validation\", one of each motion and bench, show which "
+    "effects of a servo from a data sheet predict better: alone, if they are as many as the fitted logs; else beside "
+    "those, each left out. Those with \"other\" decide nothing.";
 inline constexpr const char* kNoHeldOutLog = "No log of this case is held out.";
 inline constexpr const char* kWorse = "do not use the changed model";
 inline constexpr const char* kBelowFloorFlag = "below the floor";

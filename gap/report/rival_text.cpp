@@ -11,7 +11,7 @@ std::vector<std::string> addedBy(const Rival& rival, const Identification& ident
   return more;
 }
 
-// An addition is a rival if it reduces the mean error on left-out logs and they do not confirm it.
+// An addition is a rival if it reduces the mean prediction error and the logs disagree.
 const char* predictionOf(const Rival& rival, const Identification& identification) {
   return addedBy(rival, identification).empty() ? messages::kPredictsAsWell : messages::kMayPredictBetter;
 }

@@ -10,7 +10,7 @@ namespace darwinop::gap {
 
 /// The rival has all that was found, and these; empty: it is in place of something.
 std::vector<std::string> addedBy(const Rival& rival, const Identification& identification);
-/// Of a rival by prediction: what left-out logs say.
+/// Of a rival by prediction: what logs say that are not fitted.
 const char* predictionOf(const Rival& rival, const Identification& identification);
 
 }  // namespace darwinop::gap

@@ -16,7 +16,7 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr std::size_t kRivalsNamed = 3;
+constexpr std::size_t kSetsNamed = 4;
 
 std::string listed(std::vector<std::string> titles) {
   if (titles.size() < 2) return text::joined(titles, "");
@@ -63,46 +63,42 @@ std::string titleOf(const std::string& id) {
   return info == nullptr ? id : std::string{info->title};
 }
 
-/// "dry friction, and something that these logs do not identify: torque limit, or joint flex and backlash": first what
-/// the found effects and all close rivals share.
-std::string namedByRivals(const Identification& identification) {
+/// What the found effects and all close rivals have in common, and of each set the rest.
+struct Alternatives {
+  std::vector<std::string> shared;             // titles
+  std::vector<std::vector<std::string>> rest;  // no two are equal; empty: that set has nothing else
+};
+
+Alternatives alternativesOf(const Identification& identification) {
   std::vector<std::vector<std::string>> sets(1);
   for (const IdentifiedEffect& found : identification.effects) sets.front().emplace_back(found.effect->id);
   for (const Rival& rival : closeRivals(identification)) sets.push_back(rival.effects);
-  std::vector<std::string> shared;
+  const auto is_shared = [&](const std::string& id) {
+    return std::ranges::all_of(sets, [&](const auto& set) { return std::ranges::find(set, id) != set.end(); });
+  };
+  Alternatives out;
   for (const std::string& id : sets.front())
-    if (std::ranges::all_of(sets, [&](const auto& set) { return std::ranges::find(set, id) != set.end(); }))
-      shared.push_back(id);
-  std::vector<std::string> names;
+    if (is_shared(id)) out.shared.push_back(titleOf(id));
   for (const std::vector<std::string>& set : sets) {
-    if (names.size() > kRivalsNamed) {
-      names.emplace_back("others");
-      break;
-    }
     std::vector<std::string> titles;
     for (const std::string& id : set)
-      if (std::ranges::find(shared, id) == shared.end()) titles.push_back(titleOf(id));
-    names.push_back(titles.empty() ? "nothing else" : listed(titles));
+      if (!is_shared(id)) titles.push_back(titleOf(id));
+    if (std::ranges::find(out.rest, titles) == out.rest.end()) out.rest.push_back(std::move(titles));
   }
-  std::ranges::transform(shared, shared.begin(), titleOf);
-  return (shared.empty() ? "" : listed(shared) + ", and ") + messages::kNotIdentified + text::joined(names, ", or ");
+  return out;
 }
 
-/// Every close rival has all of the effects that were found, and one more.
-bool onlyAdditionsAreOpen(const Identification& identification) {
-  const std::vector<Rival> close = closeRivals(identification);
-  return !close.empty() && std::ranges::all_of(close, [&](const Rival& rival) {
-    return std::ranges::all_of(identification.effects, [&](const IdentifiedEffect& found) {
-      return std::ranges::find(rival.effects, found.effect->id) != rival.effects.end();
-    });
-  });
-}
-
-/// "The model lacks dry friction and perhaps torque limit or friction quadratic in the load".
-std::string withOpenAdditions(const Identification& identification) {
-  std::vector<std::string> titles;
-  for (const twin::EffectInfo* const effect : undecidedEffects(identification)) titles.emplace_back(effect->title);
-  return "The model lacks " + titlesOf(identification.effects) + messages::kPerhaps + text::joined(titles, " or ");
+/// "dry friction, and these logs do not decide whether also torque limit", or "dry friction, and something that these
+/// logs do not identify: torque limit, or joint flex and gear backlash".
+std::string namedByRivals(const Identification& identification) {
+  Alternatives sets = alternativesOf(identification);
+  const bool maybe_none = std::erase_if(sets.rest, [](const auto& titles) { return titles.empty(); }) != 0;
+  std::vector<std::string> names;
+  for (const std::vector<std::string>& titles : sets.rest) names.push_back(listed(titles));
+  if (names.size() > kSetsNamed) names.resize(kSetsNamed), names.emplace_back("others");
+  if (maybe_none && !sets.shared.empty()) return listed(sets.shared) + messages::kPerhaps + text::joined(names, " or ");
+  return (sets.shared.empty() ? "" : listed(sets.shared) + ", and ") + messages::kNotIdentified +
+         text::joined(names, ", or ");
 }
 
 std::string firstSentence(const Outcome& outcome) {
@@ -117,7 +113,6 @@ std::string firstSentence(const Outcome& outcome) {
                firstNumber(identification) + end;
       return "The model lacks " + titlesOf(identification.effects) + firstNumber(identification) + end;
     case Verdict::kAmbiguous:
-      if (onlyAdditionsAreOpen(identification)) return withOpenAdditions(identification) + end;
       return "The model lacks " + namedByRivals(identification) + end;
     case Verdict::kUnknown:
       return "The model lacks something that none of the " + std::to_string(twin::catalogue().size()) +
@@ -206,7 +201,7 @@ std::string rejectionSentence(const RejectedEffect& rejected) {
   std::vector<std::string> doubles;
   for (const std::string_view id : rejected.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);
   return title + " is possible, as are the effects it is confused with (" + text::joined(doubles, ", ") +
-         "): it predicts some left-out logs better and others worse. Experiment that decides: " +
+         "): it predicts other logs better on average, but they disagree. Experiment that decides: " +
          std::string{rejected.effect->separated_by};
 }
 

@@ -86,8 +86,8 @@ std::pair<BodyLog, std::string> readBodyEntry(Fields& entry, std::vector<std::st
   BodyLog out;
   out.file = logFileIn(entry);
   const EntryRole role = roleIn(entry);
-  if (role == EntryRole::kOther) entry.fail("role", messages::kOtherOfBody);
   out.held_out = role == EntryRole::kHeldOut;
+  if (role != EntryRole::kFit && !out.held_out) entry.fail("role", messages::kOtherOfBody);
   out.setup = static_cast<BodySetup>(entry.word("setup", kSetups, kSetups.size()));
   readUp(entry, out);
   out.session_start_s = entry.number("session_s", kSession, 0);

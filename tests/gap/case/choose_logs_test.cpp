@@ -90,7 +90,6 @@ TEST(ChooseLogs, ThoseThatShowLessComeLast) {
   }
   chooseLogs(in);
   for (const Trajectory& log : in.given.logs) {
-    if (log.held_out) continue;
     EXPECT_FALSE(std::isnan(log.load.front()));
     EXPECT_GT(log.duration_s(), kDuration / 2);
   }
@@ -98,7 +97,7 @@ TEST(ChooseLogs, ThoseThatShowLessComeLast) {
   FolderCase poor;
   poor.given.logs = in.given.others;
   chooseLogs(poor);
-  EXPECT_EQ(poor.given.logs.size(), 12U) << "there is nothing better";
+  EXPECT_GT(poor.given.logs.size(), 12U) << "there is nothing better";
 }
 
 // The time of a search grows with the seconds of its logs.
@@ -108,6 +107,7 @@ TEST(ChooseLogs, OfLongLogsFewerAreTaken) {
     for (double& time_s : log.time_s) time_s *= 5;
   chooseLogs(in);
   const auto held_out = std::ranges::count_if(in.given.logs, &Trajectory::held_out);
+  EXPECT_EQ(held_out, 2);
   EXPECT_EQ(std::ssize(in.given.logs) - held_out, 4);
   EXPECT_THAT(in.notes.back(), testing::Not(testing::HasSubstr("--all-logs")));
 }

@@ -31,8 +31,8 @@ TEST_F(RawFolderTest, OfManyLogsThoseThatDifferMostAreSearched) {
   EXPECT_EQ(fitted.size(), kMostFitLogs);
   EXPECT_EQ(fitted.count({16, 0.9}), 1u) << "the only one of its payload";
   EXPECT_GE(fitted.count({16, 0.5}), 5u) << "half as many logs, not half as many chosen";
-  EXPECT_EQ(chosen.given.logs.size(), kMostFitLogs + 12) << "what is held out judges names, others decide them";
-  EXPECT_EQ(chosen.given.others.size(), 61 - kMostFitLogs);
+  EXPECT_EQ(chosen.given.logs.size(), kMostFitLogs + kMostHeldOutLogs);
+  EXPECT_EQ(chosen.given.others.size(), 73 - kMostFitLogs - kMostHeldOutLogs);
   const Case all = read(true).given;
   EXPECT_EQ(all.logs.size(), 73u);
   EXPECT_TRUE(all.others.empty());
@@ -40,11 +40,12 @@ TEST_F(RawFolderTest, OfManyLogsThoseThatDifferMostAreSearched) {
 
 TEST_F(RawFolderTest, TheOthersStayInTheCase) {
   for (int i = 0; i < 20; ++i) addLog("a" + std::to_string(100 + i), 8, "0.5");
-  addLog("b", 16, "0.5");
+  for (int i = 0; i < 8; ++i) addLog("b" + std::to_string(100 + i), 16, "0.5");
   const FolderCase chosen = read();
   writeCase(chosen.given, out / "case");
   const Case back = readCase(out / "case");
-  ASSERT_EQ(back.others.size(), 20 - kMostFitLogs);
+  ASSERT_EQ(back.others.size(), 28 - kMostFitLogs - kMostHeldOutLogs);
+  for (const Trajectory& log : back.others) EXPECT_EQ(log.held_out, log.p_register == 16) << "not for validation";
   EXPECT_EQ(back.others[0].file, chosen.given.others[0].file);
   EXPECT_EQ(back.others[0].rows(), 200u);
   EXPECT_EQ(back.logs.size(), chosen.given.logs.size());

@@ -131,6 +131,14 @@ TEST(CrossValidation, WhatIsNotThereDoesNot) {
   EXPECT_FALSE(crossValidate(baselineOn(study, Nuisance::kFixed), effectOn(study, "supply_sag")).improves());
 }
 
+TEST(CrossValidation, ARarerEffectHasToExceedAMargin) {
+  const CrossValidation surely{.mean = 0.15, .error = 0.02, .logs = 8}, hardly{.mean = 0.15, .error = 0.05, .logs = 8};
+  EXPECT_TRUE(surely.improvesBy(0.1));
+  EXPECT_TRUE(hardly.improves());
+  EXPECT_FALSE(hardly.improvesBy(0.1));
+  EXPECT_FALSE((CrossValidation{.mean = 0.95, .error = 0.5, .logs = 8}.improvesBy(0.1))) << "nor by nothing";
+}
+
 // Its number comes from that log: a fit to the others knows nothing of it.
 TEST(CrossValidation, ALogThatAloneShowsAnEffectIsNotPredictedByIt) {
   Case bench = smallBench();

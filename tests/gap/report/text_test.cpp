@@ -268,11 +268,23 @@ TEST(Summary, NamesFirstWhatIsInEverySet) {
   ReportRig rig;
   Identification& identification = rig.outcome.identification;
   identification.verdict = Verdict::kAmbiguous;
+  const auto sentence = [&] { return verdictSentences(rig.outcome, rig.report.comparison).front(); };
   identification.effects.push_back({twin::findEffect("viscous"), {}, 0, false});
-  identification.rivals = {{{"coulomb", "torque_limit", "backlash"}, 0}, {{"coulomb"}, 0}};
-  EXPECT_THAT(verdictSentences(rig.outcome, rig.report.comparison).front(),
-              HasSubstr("dry friction, and " + std::string{messages::kNotIdentified} +
-                        "viscous friction, or torque limit and gear backlash, or nothing else"));
+  identification.rivals = {{{"coulomb", "torque_limit", "backlash"}, 0}, {{"coulomb", "torque_limit", "backlash"}, 0}};
+  EXPECT_THAT(sentence(), HasSubstr("lacks dry friction, and " + std::string{messages::kNotIdentified} +
+                                    "viscous friction, or torque limit and gear backlash."));
+  identification.rivals.push_back({{"coulomb"}, 0});
+  EXPECT_THAT(sentence(), HasSubstr("lacks dry friction" + std::string{messages::kPerhaps} +
+                                    "viscous friction or torque limit and gear backlash."));
+  identification.rivals.clear();
+  for (const char* const id : {"backlash", "deadband", "stribeck", "cogging"})
+    identification.rivals.push_back({{id}, 0});
+  EXPECT_THAT(sentence(), HasSubstr("lacks " + std::string{messages::kNotIdentified} +
+                                    "dry friction and viscous friction, or gear backlash, or "));
+  EXPECT_THAT(sentence(), HasSubstr(", or others."));
+  identification.effects.clear();
+  identification.rivals = {{{"backlash"}, 0}, {{"deadband"}, 0}};
+  EXPECT_THAT(sentence(), HasSubstr(std::string{messages::kNotIdentified} + "gear backlash, or dead band."));
 }
 
 TEST(Summary, HasASentenceForEachVerdict) {
