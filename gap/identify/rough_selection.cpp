@@ -21,7 +21,7 @@ namespace darwinop::gap {
 
 namespace {
 
-/// Of what every servo has, that it predicts better is enough; a rarer effect has more rivals that do by chance.
+/// Of what every servo has, that it predicts better is enough; a rarer effect has rivals that do by chance.
 bool isConfirmed(const twin::EffectInfo& effect, const CrossValidation& validation) {
   return isCommon(effect) ? validation.improves() : validation.improvesBy(thresholds::kRareEffectHelp);
 }
@@ -34,6 +34,14 @@ void RoughSelection::run() {
   }
   dropUncertain();
   noteDoubles();
+}
+
+void RoughSelection::reportPrediction(const twin::EffectInfo& effect, const CrossValidation& validation) const {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s: prediction error ratio %.2f, %.2f to %.2f", std::string{effect.id}.c_str(),
+                std::exp(validation.mean), std::exp(validation.mean - 2 * validation.error),
+                std::exp(validation.mean + 2 * validation.error));
+  options_.progress(text);
 }
 
 // Where the logs disagree whether a number of the owner is wrong, his measurement counts: a load mass stood for
@@ -56,11 +64,7 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
     candidate = refitUnderNoiseOf(candidate, model_, true);
     std::vector<double> with = errorsOf(candidate);
     const CrossValidation validation = crossValidate(errors_, with, floor_rad_);
-    char text[160];
-    std::snprintf(text, sizeof text, "%s: prediction error ratio %.2f, %.2f to %.2f", std::string{effect.id}.c_str(),
-                  std::exp(validation.mean), std::exp(validation.mean - 2 * validation.error),
-                  std::exp(validation.mean + 2 * validation.error));
-    options_.progress(text);
+    reportPrediction(effect, validation);
     const bool helps = validation.mean >= thresholds::kRareEffectHelp;
     const bool is_measured = aliasesAPrior(study_.data, effect) && mayBeNone(candidate, candidate.effects.back());
     if (!helps || is_measured || !isConfirmed(effect, validation))
@@ -123,7 +127,11 @@ bool RoughSelection::accept(FittedModel with) {
 }
 
 bool RoughSelection::addRareEffect() {
-  std::vector<FittedModel> candidates = shortlist(model_, Screen{model_, candidates_}, true);
+  std::vector<FittedModel> candidates = richerForms();
+  for (FittedModel& beside : shortlist(model_, Screen{model_, candidates_}, true))
+    if (std::ranges::none_of(candidates,
+                             [&](const FittedModel& form) { return has(form.effects, *beside.effects.back().info); }))
+      candidates.push_back(std::move(beside));
   std::vector<Tested> helping = testRareEffects(candidates);
   std::ranges::stable_sort(helping, std::greater{}, [](const Tested& one) { return one.validation.mean; });
   for (Tested& one : helping) {

@@ -52,6 +52,8 @@ class RoughSelection {
   /// No fit has to leave any log out.
   [[nodiscard]] bool validationSuffices() const;
   void addCommonEffects();
+  /// The model with a richer law in the place of one of its effects, for each that explains more.
+  [[nodiscard]] std::vector<FittedModel> richerForms() const;
   [[nodiscard]] bool addRareEffect();
   /// Those of `candidates` that are tested are fitted more finely.
   [[nodiscard]] std::vector<Tested> testRareEffects(std::vector<FittedModel>& candidates);
@@ -62,6 +64,7 @@ class RoughSelection {
   [[nodiscard]] Effects neededOf(const FittedModel& rival, const Effects& offered) const;
   /// Of the effects that these logs cannot show: the doubles that predict the logs as well in their place.
   void noteDoubles();
+  void reportPrediction(const twin::EffectInfo& effect, const CrossValidation& validation) const;
   [[nodiscard]] bool predictsAsWell(const FittedModel& other) const;
   [[nodiscard]] bool worsensHeldOut(const FittedModel& with) const;
   void dropNeedless();

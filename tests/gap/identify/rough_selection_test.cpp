@@ -311,6 +311,19 @@ TEST(RoughNumbers, ADoubleOfAnEffectThatNoLogShowsIsARival) {
       << namesIn(identification);
 }
 
+// Beside a friction that grows with every load, one that grows with the motor's alone hardly gains anything.
+TEST(RoughNumbers, ARicherKindOfFrictionReplacesTheSimpleOne) {
+  Case bench = manualBench();
+  for (std::size_t i = 0; i < bench.logs.size(); ++i) bench.logs[i].payload_kg = i % 2 == 0 ? 0.2 : 0.6;
+  Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.1);
+  valueOf(truth.with(*twin::findEffect("viscous")), "damping") = 0.04;
+  valueOf(truth.with(*twin::findEffect("directional_load_friction")), "motor") = 0.35;
+  const Identification found = selected(measuredIn(kGusts, bench, truth));
+  SCOPED_TRACE(namesIn(found));
+  EXPECT_NE(foundIn(found, "directional_load_friction"), nullptr);
+  EXPECT_EQ(foundIn(found, "load_dependent_friction"), nullptr);
+}
+
 TEST(RoughNumbers, AnEffectAtTheEndOfItsRangeIsNotNamed) {
   const Case bench = manualBench();
   Hypothesis truth = realServo(bench);
