@@ -122,6 +122,8 @@ TEST(CrossValidation, WhatIsMissingHelpsOnLogsThatWereNotFitted) {
   EXPECT_EQ(validation.logs, 3);
   EXPECT_TRUE(validation.improves());
   EXPECT_GT(validation.mean, std::log(2));
+  const FittedModel with = effectOn(study, "encoder_offset");
+  EXPECT_FALSE(mayBeNone(with, with.effects.front()));
 }
 
 TEST(CrossValidation, WhatIsNotThereDoesNot) {
@@ -158,6 +160,7 @@ TEST(CrossValidation, ALogThatAloneShowsAnEffectIsNotPredictedByIt) {
   const std::optional<Eigen::VectorXd> half_widths = halfWidthsByLogs(limited);
   ASSERT_TRUE(half_widths);
   EXPECT_TRUE(std::isinf((*half_widths)[0])) << "the logs do not say how far they would disagree";
+  EXPECT_TRUE(mayBeNone(limited, limited.effects.front()));
   EXPECT_FALSE(halfWidthsByLogs(bare)) << "nothing was fitted";
 }
 
