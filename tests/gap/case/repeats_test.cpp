@@ -1,6 +1,10 @@
 // Logs that repeat another one, and copies that only look like it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
 #include "gap/case/case_texts.hpp"
 #include "gap/case/data_check.hpp"
 #include "gap/case/messages.hpp"
@@ -40,6 +44,39 @@ TEST(CaseRepeats, LeadToTheFirstOfTheSeries) {
   EXPECT_EQ(c.logs[2].repeat_of, 0u);
   EXPECT_TRUE(c.warnings.empty());
   EXPECT_TRUE(checkData(c).has_repeats);
+}
+
+/// Steps every second; CSVs of a raw folder name no motion.
+Trajectory steps() {
+  Trajectory log;
+  log.length_m = 0.1, log.supply_v = 12;
+  for (double t = 0; t < 6; t += 0.01) {
+    log.time_s.push_back(t);
+    log.goal_rad.push_back(std::fmod(t, 2) < 1 ? 0.5 : -0.5);
+    log.torque_on.push_back(1);
+  }
+  return log;
+}
+
+TEST(CaseRepeats, AreKnownByTheirGoalsAndTheirBench) {
+  const Trajectory log = steps();
+  const auto is_repeat = [&](const std::function<void(Trajectory&)>& change) {
+    Trajectory other = log;
+    change(other);
+    return isRepeat(log, other);
+  };
+  EXPECT_TRUE(is_repeat([](Trajectory& other) { other.kind = "run_2"; }));
+  EXPECT_TRUE(is_repeat([](Trajectory& other) { other.time_s[99] += 0.007; })) << "a late row";
+  EXPECT_TRUE(is_repeat([](Trajectory& other) { other.supply_v = 11.8; }));
+  EXPECT_FALSE(is_repeat([](Trajectory& other) { other.supply_v = 7.4; }));
+  EXPECT_FALSE(is_repeat([](Trajectory& other) { other.supply_v.reset(); }));
+  EXPECT_FALSE(is_repeat([](Trajectory& other) { other.p_register = 16; }));
+  EXPECT_FALSE(is_repeat([](Trajectory& other) { other.payload_kg = 0.2; }));
+  EXPECT_FALSE(is_repeat([](Trajectory& other) { other.length_m = 0.2; }));
+  EXPECT_FALSE(is_repeat([](Trajectory& other) { std::fill_n(other.torque_on.begin(), 200, 0); }));
+  EXPECT_FALSE(is_repeat([](Trajectory& other) {
+    for (std::size_t i = 0; i < other.rows(); ++i) other.goal_rad[i] = 0.5 * std::sin(4 * other.time_s[i]);
+  }));
 }
 
 // Run by run 0, 3 and 6 mrad beside the first: their standard deviation is 3 mrad.
