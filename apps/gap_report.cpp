@@ -80,7 +80,7 @@ void refuseRawOptions(const Arguments& given) {
   };
   if (!given.declared.empty()) refuse("--declare", "edit case.json instead");
   if (!given.held_out.empty()) refuse("--keep", R"(edit "role" in case.json instead)");
-  if (given.all_logs) refuse("--all-logs", R"(those with "role": "fit" or "held_out" in case.json are taken)");
+  if (given.all_logs) refuse("--all-logs", R"(case.json says what each is for, "role")");
 }
 
 /// The search, and what it found as text and files.

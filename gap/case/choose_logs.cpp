@@ -110,7 +110,7 @@ void chooseLogs(FolderCase& in) {
   in.notes.push_back("of " + std::to_string(before) + " logs, " +
                      std::to_string(given.logs.size() - static_cast<std::size_t>(held)) + " are fitted and " +
                      std::to_string(held) + " held out, those that differ most in bench, gain and goals; " +
-                     std::to_string(validation) + " others show which effects predict better");
+                     std::to_string(validation) + " of the others show which effects predict better");
 }
 
 void noteAllLogs(FolderCase& in) {

@@ -47,7 +47,8 @@ FittedModel startedAt(const Start& start, FittedModel fitted) {
 /// would confirm what stands for it there. One that was cut short shows little, and counts as much as others.
 Case validationLogsOf(const Case& given) {
   std::vector<double> durations;
-  for (const Trajectory& log : given.others) durations.push_back(log.duration_s());
+  for (const Trajectory& log : given.others)
+    if (!log.held_out) durations.push_back(log.duration_s());
   const double usual_s = medianOf(durations);
   Case validation = given;
   validation.logs.clear();

@@ -21,9 +21,14 @@ namespace darwinop::gap {
 
 namespace {
 
-/// Of what every servo has, that it predicts better is enough; a rarer effect has rivals that do by chance.
+/// Of what every servo has, two standard errors are enough; a rarer effect has rivals that predict better by chance.
 bool isConfirmed(const twin::EffectInfo& effect, const CrossValidation& validation) {
   return isCommon(effect) ? validation.improves() : validation.improvesBy(thresholds::kRareEffectHelp);
+}
+
+/// It stands for numbers that the owner has weighed or measured.
+bool isOfTheBench(const twin::EffectInfo& effect) {
+  return isAliasOf(effect, "payload") || isAliasOf(effect, "length");
 }
 
 }  // namespace
@@ -36,6 +41,12 @@ void RoughSelection::run() {
   noteDoubles();
 }
 
+std::string_view RoughSelection::replacedBy(const FittedModel& candidate) const {
+  for (const ChosenEffect& effect : model_.effects)
+    if (!has(candidate.effects, *effect.info)) return effect.info->id;
+  return "";
+}
+
 void RoughSelection::reportPrediction(const twin::EffectInfo& effect, const CrossValidation& validation) const {
   char text[160];
   std::snprintf(text, sizeof text, "%s: prediction error ratio %.2f, %.2f to %.2f", std::string{effect.id}.c_str(),
@@ -44,8 +55,8 @@ void RoughSelection::reportPrediction(const twin::EffectInfo& effect, const Cros
   options_.progress(text);
 }
 
-// Where the logs disagree whether a number of the owner is wrong, his measurement counts: a load mass stood for
-// friction.
+// Where the fitted logs disagree whether a load mass or length is wrong, the owner's measurement counts: of 960 logs,
+// whose loads were right, others were predicted better with one that stood for friction.
 std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<FittedModel>& candidates) {
   std::vector<Tested> helping;
   std::size_t tested = 0;
@@ -66,10 +77,10 @@ std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<
     const CrossValidation validation = crossValidate(errors_, with, floor_rad_);
     reportPrediction(effect, validation);
     const bool helps = validation.mean >= thresholds::kRareEffectHelp;
-    const bool is_measured = aliasesAPrior(study_.data, effect) && mayBeNone(candidate, candidate.effects.back());
+    const bool is_measured = isOfTheBench(effect) && mayBeNone(candidate, candidate.effects.back());
     if (!helps || is_measured || !isConfirmed(effect, validation))
       rejected_.push_back({&effect, helps ? RejectionReason::kUndecided : RejectionReason::kNoPredictiveGain});
-    if (helps && !is_measured) helping.push_back({&candidate, validation, std::move(with)});
+    if (helps && !is_measured) helping.push_back({&candidate, validation, std::move(with), replacedBy(candidate)});
   }
   std::ranges::stable_sort(rejected_, {}, &RejectedEffect::why);
   return helping;
@@ -80,6 +91,8 @@ void RoughSelection::noteRivals(const std::vector<Tested>& tested, const Tested*
   std::vector<std::string_view> again;
   for (const Tested& one : tested) again.push_back(one.model->effects.back().info->id);
   carryOn(rivals_, again, best == nullptr ? "" : best->model->effects.back().info->id);
+  if (best != nullptr && !best->replaced.empty())  // a richer form stands in its place, also in theirs
+    for (Rival& rival : rivals_) std::erase(rival.effects, best->replaced);
   for (const Tested& other : tested) {
     if (&other == best || other.refused ||
         (best != nullptr && crossValidate(other.errors, best->errors, floor_rad_).improves()))

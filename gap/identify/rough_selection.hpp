@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gap/identify/cross_validation.hpp"
@@ -43,7 +44,8 @@ class RoughSelection {
   struct Tested {
     const FittedModel* model = nullptr;
     CrossValidation validation;
-    std::vector<double> errors;  // errorsOf() it
+    std::vector<double> errors;      // errorsOf() it
+    std::string_view replaced = {};  // effect of the present model in whose place it stands; empty: beside all
     bool refused = false;  // at the end of its range, or nothing is gained once what is needless beside it is gone
   };
 
@@ -64,6 +66,7 @@ class RoughSelection {
   [[nodiscard]] Effects neededOf(const FittedModel& rival, const Effects& offered) const;
   /// Of the effects that these logs cannot show: the doubles that predict the logs as well in their place.
   void noteDoubles();
+  [[nodiscard]] std::string_view replacedBy(const FittedModel& candidate) const;
   void reportPrediction(const twin::EffectInfo& effect, const CrossValidation& validation) const;
   [[nodiscard]] bool predictsAsWell(const FittedModel& other) const;
   [[nodiscard]] bool worsensHeldOut(const FittedModel& with) const;

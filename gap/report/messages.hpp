@@ -53,7 +53,8 @@ inline constexpr const char* kHeldOutUse =
     "is fitted to them.";
 inline constexpr const char* kOtherUse =
     "To these logs no number is fitted. Those with \"role\": \"validation\", one of each motion and bench, show which "
-    "effects of a servo from a data sheet predict better: alone, if they are as many as the fitted logs; else beside "
+    "effects of a servo from a data sheet predict better: alone, if they are as many as the fitted logs or more; else "
+    "beside "
     "those, each left out. Those with \"other\" decide nothing.";
 inline constexpr const char* kNoHeldOutLog = "No log of this case is held out.";
 inline constexpr const char* kWorse = "do not use the changed model";

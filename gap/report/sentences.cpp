@@ -83,7 +83,8 @@ Alternatives alternativesOf(const Identification& identification) {
     std::vector<std::string> titles;
     for (const std::string& id : set)
       if (!is_shared(id)) titles.push_back(titleOf(id));
-    if (std::ranges::find(out.rest, titles) == out.rest.end()) out.rest.push_back(std::move(titles));
+    if (std::ranges::none_of(out.rest, [&](const auto& other) { return std::ranges::is_permutation(titles, other); }))
+      out.rest.push_back(std::move(titles));
   }
   return out;
 }
@@ -201,7 +202,7 @@ std::string rejectionSentence(const RejectedEffect& rejected) {
   std::vector<std::string> doubles;
   for (const std::string_view id : rejected.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);
   return title + " is possible, as are the effects it is confused with (" + text::joined(doubles, ", ") +
-         "): it predicts other logs better on average, but they disagree. Experiment that decides: " +
+         "): it predicts other logs better on average, but too little, or logs disagree. Experiment that decides: " +
          std::string{rejected.effect->separated_by};
 }
 

@@ -64,6 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
             "\"role\": \"score\"", "\"role\": \"test\"", {"`logs[1].role`", "\"test\"", "fit", "held_out", "score"}},
         Mistake{"\"role\": \"fit\"", "\"role\": \"score\"", {"`logs`", messages::kNoFitLog}},
         Mistake{"\"role\": \"fit\"", "\"role\": \"other\"", {"`logs`", messages::kNoFitLog}},
+        Mistake{"\"role\": \"fit\"", "\"role\": \"validation\"", {"`logs`", messages::kNoFitLog}},
         Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"fit_2.csv\"", {"my/fit_2.csv: there is no such file"}},
         Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"../fit_1.csv\"", {"`logs[0].file`", messages::kBeyondFolder}},
         Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"score_1.csv\"", {"`logs[1].file`", messages::kGivenTwice}},
@@ -82,10 +83,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"logs\": [", "\"logs\": [3,", {"`logs[0]`", " 3;", "{ }"}}));
 
 TEST(CaseMistakes, AnOtherLogHasNoRepeats) {
-  const CaseTexts other = CaseTexts{}.with("\"role\": \"score\"", "\"role\": \"other\"");
-  EXPECT_EQ(other.error(), "");
-  EXPECT_THAT(other.with("\"repeat_of\": null", "\"repeat_of\": \"score_1.csv\"").error(),
-              HasSubstr(messages::kRepeatOfAnother));
+  for (const char* const role : {"other", "validation"}) {
+    const CaseTexts other = CaseTexts{}.with("\"role\": \"score\"", "\"role\": \"" + std::string{role} + "\"");
+    EXPECT_EQ(other.error(), "");
+    EXPECT_THAT(other.with("\"repeat_of\": null", "\"repeat_of\": \"score_1.csv\"").error(),
+                HasSubstr(messages::kRepeatOfAnother));
+  }
 }
 
 TEST(CaseMistakes, RangesIncludeTheirEnds) {
