@@ -80,7 +80,7 @@ void refuseRawOptions(const Arguments& given) {
   };
   if (!given.declared.empty()) refuse("--declare", "edit case.json instead");
   if (!given.held_out.empty()) refuse("--keep", R"(edit "role" in case.json instead)");
-  if (given.all_logs) refuse("--all-logs", R"(case.json says what each is for, "role")");
+  if (given.all_logs) refuse("--all-logs", R"("role" in case.json says what each log is for)");
 }
 
 /// The search, and what it found as text and files.

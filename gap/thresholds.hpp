@@ -182,7 +182,7 @@ inline constexpr double kRareEffectHelp = 0.1;
 /// Fit logs from which on a third is searched for two effects before all are. A matter of run time: a third of twelve
 /// has four.
 inline constexpr std::size_t kLogsInThirds = 12;
-/// Rarer effects per round that are cross-validated. A matter of run time.
+/// Rarer effects per round that are cross-validated, where validation logs do not suffice. A matter of run time.
 inline constexpr std::size_t kCrossValidatedEffects = 3;
 /// Rarer effects that are added: a round takes half a minute. Of a folder with a speed profile and a delay, both are
 /// found with two; with one, the remainder is 13 times the floor instead of 5.

@@ -6,12 +6,10 @@
 #include "gap/case/bam_log.hpp"
 #include "gap/case/contradictions.hpp"
 #include "gap/case/messages.hpp"
+#include "gap/case/plausible.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-// Of the voltage: readings of one bench differ by less, its usual supplies (11.1, 12, 14.8 V) by more.
-constexpr double kOneBench = 0.04;
 
 // Of a supply of servos; 0 is a register that was not read, and more is another unit.
 constexpr double kLeastSupply = 3, kGreatestSupply = 30;  // V

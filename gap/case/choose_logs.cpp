@@ -105,12 +105,13 @@ void chooseLogs(FolderCase& in) {
     (fitted[i] || held_out[i] ? logs : given.others).push_back(std::move(given.logs[i]));
   given.logs = std::move(logs);
   if (given.others.empty()) return;
-  const auto validation = std::ranges::count(given.others, false, &Trajectory::held_out);
+  const auto surplus = std::ranges::count_if(given.others, &Trajectory::held_out);
   const auto held = std::ranges::count_if(given.logs, &Trajectory::held_out);
   in.notes.push_back("of " + std::to_string(before) + " logs, " +
                      std::to_string(given.logs.size() - static_cast<std::size_t>(held)) + " are fitted and " +
                      std::to_string(held) + " held out, those that differ most in bench, gain and goals; " +
-                     std::to_string(validation) + " of the others show which effects predict better");
+                     std::to_string(std::ssize(given.others) - surplus) + " others show which effects predict better" +
+                     (surplus > 0 ? ", " + std::to_string(surplus) + " more are only reported" : ""));
 }
 
 void noteAllLogs(FolderCase& in) {

@@ -19,6 +19,8 @@ void checkRepeats(Case& c);
 /// For each log the earlier one that has the same goals and positions, row by row: one measurement, copied.
 std::vector<std::optional<std::size_t>> duplicates(const Case& c);
 
+/// Relative. Supply voltages measured on one bench differ by less, usual supplies (11.1, 12, 14.8 V) by more.
+inline constexpr double kOneBench = 0.04;
 /// Both repeat one motion on one bench, whether or not it is declared.
 bool isRepeat(const Trajectory& a, const Trajectory& b);
 

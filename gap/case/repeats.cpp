@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kSameGoals = 0.1;    // rms of the difference over that of the goals; clocks differ by a row
 constexpr double kSameRelease = 0.1;  // share of the rows; ends of logs differ
-constexpr double kSameSupply = 0.04;  // relative, as measured on one bench: 12.1 and 11.8 V
 
 /// Rms of a - b where both run, row by row of a, by time since the first row; over the rms of a about its mean.
 double goalsApart(const Trajectory& a, const Trajectory& b) {
@@ -45,7 +44,7 @@ bool haveOneArm(const Trajectory& a, const Trajectory& b) {
 
 bool haveOneSupply(const Trajectory& a, const Trajectory& b) {
   if (!a.supply_v || !b.supply_v) return a.supply_v.has_value() == b.supply_v.has_value();
-  return std::abs(*a.supply_v / *b.supply_v - 1) <= kSameSupply;
+  return std::abs(*a.supply_v / *b.supply_v - 1) <= kOneBench;
 }
 
 /// Share of the rows without torque.

@@ -28,7 +28,7 @@ Eigen::VectorXd asSimple(const Problem& problem, const twin::EffectInfo& richer,
   return problem.inBounds(std::move(x));
 }
 
-/// The model with `richer` in the place of effect `i`, fitted from where both say the same; nothing if they never do.
+/// The model with `richer` in place of effect `i`, fitted from where both say the same; nothing if they never do.
 std::optional<FittedModel> formOf(const FittedModel& model, std::size_t i, const twin::EffectInfo& richer) {
   const twin::EffectInfo& simple = *model.effects[i].info;
   Effects effects = without(model.effects, i);

@@ -18,7 +18,6 @@
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
-
 namespace {
 
 /// Of what every servo has, two standard errors are enough; a rarer effect has rivals that predict better by chance.
@@ -55,8 +54,8 @@ void RoughSelection::reportPrediction(const twin::EffectInfo& effect, const Cros
   options_.progress(text);
 }
 
-// Where the fitted logs disagree whether a load mass or length is wrong, the owner's measurement counts: of 960 logs,
-// whose loads were right, others were predicted better with one that stood for friction.
+// Where the fitted logs disagree whether a load mass or length is wrong, the owner's measurement counts: in a folder of
+// 960 logs whose loads were right, a load mass error stood for friction and improved predictions.
 std::vector<RoughSelection::Tested> RoughSelection::testRareEffects(std::vector<FittedModel>& candidates) {
   std::vector<Tested> helping;
   std::size_t tested = 0;

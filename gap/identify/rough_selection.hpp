@@ -44,8 +44,8 @@ class RoughSelection {
   struct Tested {
     const FittedModel* model = nullptr;
     CrossValidation validation;
-    std::vector<double> errors;      // errorsOf() it
-    std::string_view replaced = {};  // effect of the present model in whose place it stands; empty: beside all
+    std::vector<double> errors;      // errorsOf(*model)
+    std::string_view replaced = {};  // effect of the present model that it replaces; empty: none
     bool refused = false;  // at the end of its range, or nothing is gained once what is needless beside it is gone
   };
 
@@ -54,7 +54,7 @@ class RoughSelection {
   /// No fit has to leave any log out.
   [[nodiscard]] bool validationSuffices() const;
   void addCommonEffects();
-  /// The model with a richer law in the place of one of its effects, for each that explains more.
+  /// The model with a richer law in place of one of its effects, for each that explains more.
   [[nodiscard]] std::vector<FittedModel> richerForms() const;
   [[nodiscard]] bool addRareEffect();
   /// Those of `candidates` that are tested are fitted more finely.

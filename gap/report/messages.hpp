@@ -8,13 +8,13 @@ inline constexpr const char* kPredictsAsWell = "predicts other logs as well";
 inline constexpr const char* kMayPredictBetter = "may predict other logs better";
 inline constexpr const char* kVoltage = "fits, but the measured voltage does not drop as this effect requires";
 inline constexpr const char* kUndecided = "possible; the report names the experiment that decides";
-inline constexpr const char* kNoPredictiveGain = "fits these logs and predicts others no better";
+inline constexpr const char* kNoPredictiveGain = "fits these logs, but does not predict others better";
 inline constexpr const char* kWorsensHeldOut = "fits these logs and worsens the held-out logs";
 inline constexpr const char* kSmallShare = "gains more than chance, and hardly reduces the gap";
 inline constexpr const char* kVoltageInFull =
     " would improve the fit, but the measured voltage does not drop as this effect requires.";
 inline constexpr const char* kNoPredictiveGainInFull =
-    " would improve the fit, but predicts no better what is not fitted.";
+    " would improve the fit, but does not predict other logs better.";
 inline constexpr const char* kWorsensHeldOutInFull =
     " would improve the fit, but increases the error on the held-out logs.";
 inline constexpr const char* kSmallShareInFull =
@@ -52,10 +52,9 @@ inline constexpr const char* kHeldOutUse =
     "An effect that makes these logs worse is dropped: they are not independent of the choice of names, but no number "
     "is fitted to them.";
 inline constexpr const char* kOtherUse =
-    "To these logs no number is fitted. Those with \"role\": \"validation\", one of each motion and bench, show which "
-    "effects of a servo from a data sheet predict better: alone, if they are as many as the fitted logs or more; else "
-    "beside "
-    "those, each left out. Those with \"other\" decide nothing.";
+    "No number is fitted to these logs. Those with \"role\": \"validation\", one of each motion and bench, show which "
+    "effects of a servo from a data sheet predict better: alone, if they are at least as many as the fitted logs; "
+    "else together with those, each left out. Those with \"role\": \"other\" decide nothing.";
 inline constexpr const char* kNoHeldOutLog = "No log of this case is held out.";
 inline constexpr const char* kWorse = "do not use the changed model";
 inline constexpr const char* kBelowFloorFlag = "below the floor";

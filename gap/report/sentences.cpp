@@ -202,7 +202,8 @@ std::string rejectionSentence(const RejectedEffect& rejected) {
   std::vector<std::string> doubles;
   for (const std::string_view id : rejected.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);
   return title + " is possible, as are the effects it is confused with (" + text::joined(doubles, ", ") +
-         "): it predicts other logs better on average, but too little, or logs disagree. Experiment that decides: " +
+         "): on average it predicts other logs better, but by too little, or the logs disagree. Experiment that "
+         "decides: " +
          std::string{rejected.effect->separated_by};
 }
 
