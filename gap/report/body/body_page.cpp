@@ -6,6 +6,7 @@
 #include "core/text/formatted.hpp"
 #include "core/text/joined.hpp"
 #include "gap/report/body/body_report.hpp"
+#include "gap/report/body/place_marks.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/page_parts.hpp"
@@ -21,23 +22,16 @@ using Json = nlohmann::ordered_json;
 // Beside the style of the other report.
 constexpr std::string_view kStyle =
     "table.robot td.open{background:var(--gone)}table.robot td.closed{background:var(--added)}"
-    "table.robot td.none{color:var(--faint)}table.robot td{text-align:center}";
+    "table.robot td.none{color:var(--faint)}table.robot td{text-align:center}"
+    "figure{margin:0}svg{max-width:100%}svg path{stroke:var(--ink)}svg text{font-size:15px;dominant-baseline:middle}"
+    "svg polygon,svg circle,svg rect{stroke:var(--ink);stroke-width:.7}figcaption span{padding:0 "
+    ".5em;margin-right:.5em}"
+    ".untested{fill:#e4e4e4;background:#e4e4e4}.agrees{fill:#b9dfc2;background:#b9dfc2}"
+    ".diverges{fill:#e0603f;background:#e0603f}.possible{fill:#9ccbeb;background:#9ccbeb}"
+    ".named{fill:#0072b2;background:#0072b2;color:#fff}";
 
 std::string section(std::string_view id, std::string_view title, const std::string& inside) {
   return wrap("section", wrap("h2", html::text(title)) + inside, " id=\"" + std::string{id} + "\"") + "\n";
-}
-
-/// Signals that no named effect explains, with the blocks of the loop that they are of.
-std::string openSignals(const BodyReport& report) {
-  const Json& remainder = report.answer["remainder"];
-  std::vector<std::string> left, texts;
-  if (!remainder.is_null()) left = remainder["signals"].get<std::vector<std::string>>();
-  for (const Json& row : report.answer["where"]) {
-    const auto signal = row["signal"].get<std::string>();
-    if (report.found->verdict == Verdict::kUnknown || std::ranges::find(left, signal) != left.end())
-      texts.push_back(signal + " (" + row["block"].get<std::string>() + ")");
-  }
-  return text::joined(texts, ", ");
 }
 
 std::string sentenceOf(const BodyReport& report) {
@@ -94,7 +88,9 @@ std::string candidateText(const Json& effect) {
 std::string remainderText(const BodyReport& report) {
   std::vector<std::string> candidates;
   for (const Json& effect : report.answer["candidates"]) candidates.push_back(candidateText(effect));
-  const std::string left = openSignals(report);
+  std::vector<std::string> open;
+  for (const OpenSignal& one : openSignals(report)) open.push_back(one.signal + " (" + one.block + ")");
+  const std::string left = text::joined(open, ", ");
   return (left.empty() ? "" : element("p", messages::kOpenSignals + left + ".")) +
          (candidates.empty() ? "" : element("p", messages::kTried + text::joined(candidates, "; ") + "."));
 }
@@ -175,6 +171,24 @@ std::string floorTable(const BodyIdentification& found) {
               " class=\"robot\"");
 }
 
+/// The robot in colours, and what they mean.
+std::string pictureOf(const BodyReport& report) {
+  struct Colour {
+    PlaceState state;
+    const char* meaning;
+  };
+  constexpr std::array<Colour, 5> kColours{{{PlaceState::kNamed, "an effect is named there"},
+                                            {PlaceState::kPossible, "one of several that are possible"},
+                                            {PlaceState::kDiverges, "diverges, not explained"},
+                                            {PlaceState::kAgrees, "agrees with the model"},
+                                            {PlaceState::kUntested, "not tested"}}};
+  std::string legend;
+  for (const Colour& colour : kColours)
+    legend += wrap("span", html::text(colour.meaning), " class=\"" + std::string{nameOf(colour.state)} + "\"") + " ";
+  return wrap("figure", robotPicture(report.given->joints.model, marksOf(report)) + "\n" + wrap("figcaption", legend)) +
+         "\n";
+}
+
 /// A line for each joint, coloured: red diverges, green agrees.
 std::string robotSection(const BodyReport& report) {
   std::string rows;
@@ -192,6 +206,7 @@ std::string robotSection(const BodyReport& report) {
   const std::string head =
       "<tr><th>joint</th><th>controller</th><th>supply</th><th>position</th><th>position, with the effects</th></tr>\n";
   std::string inside =
+      pictureOf(report) +
       element("p", text::formatted("Standard deviations; red diverges, beyond %.1f, which chance exceeds in 1 %% of "
                                    "robots that are like their model.",
                                    found.table.open_from)) +

@@ -37,6 +37,19 @@ BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, cons
   return report;
 }
 
+std::vector<OpenSignal> openSignals(const BodyReport& report) {
+  const nlohmann::ordered_json& remainder = report.answer["remainder"];
+  std::vector<std::string> left;
+  if (!remainder.is_null()) left = remainder["signals"].get<std::vector<std::string>>();
+  std::vector<OpenSignal> out;
+  for (const nlohmann::ordered_json& row : report.answer["where"]) {
+    const auto signal = row["signal"].get<std::string>();
+    if (report.found->verdict == Verdict::kUnknown || std::ranges::find(left, signal) != left.end())
+      out.push_back({signal, row["block"].get<std::string>()});
+  }
+  return out;
+}
+
 nlohmann::ordered_json asJson(const BodyReport& report) {
   nlohmann::ordered_json all = report.answer;
   all.erase("runtime_s");

@@ -24,6 +24,12 @@ std::string dataHash(const BodyCase& given);
 /// Both have to outlive it. `model`: the file that the case's model is from, whose comments stay.
 BodyReport reportOf(const BodyCase& given, const BodyIdentification& found, const std::string& model);
 
+/// A signal that no named effect explains, and the block of the loop that it is of.
+struct OpenSignal {
+  std::string signal, block;
+};
+std::vector<OpenSignal> openSignals(const BodyReport& report);
+
 /// As report.json has it: the same for the same recordings, so without the time of the search.
 nlohmann::ordered_json asJson(const BodyReport& report);
 
