@@ -31,7 +31,8 @@ struct HiddenBody {
   BodyCase given;
   BodyKey key;
 };
-/// The case in memory. The same for the same request. Throws std::runtime_error where the robot always falls.
+/// The case in memory. The same for the same request. A robot that falls with each size that is drawn falls in its
+/// recordings.
 HiddenBody hiddenBody(const BodyRequest& request);
 
 /// Writes FOLDER/cases/* and FOLDER/key.json, which must not be there yet.
