@@ -163,6 +163,27 @@ gap() {
   for part in rollout scaling peer; do "$build/bin/gap_bench" "$part"; done
 }
 
+# The whole robot: roll-outs, scaling with joints, logs, cores and ranks; peer: the plain way. Minutes.
+gap_body() {
+  local part
+  for part in rollout scaling plain; do "$build/bin/gap_body_bench" "$part"; done
+  gap_body_ranks
+}
+
+# Four cases with two ranks; peer: one.
+gap_body_ranks() {
+  local cases=$folder/body_cases n begin
+  local -a seconds effects=(--effect coulomb --effect link_mass --effect backlash@pair --effect none)
+  "$build/bin/darwinop-gap" benchmark make --family body "${effects[@]}" --seed 7 --out "$cases" >/dev/null
+  for n in 1 2; do
+    begin=$(date +%s.%N)
+    tests/gap/benchmark/run/mpi.sh $n "$build/bin/darwinop-gap" benchmark run --threads 1 "$cases/cases" \
+      --out "$folder/ranks_$n.json" >/dev/null
+    seconds[n]=$(awk -v b="$begin" -v e="$(date +%s.%N)" 'BEGIN { printf "%.1f", e - b }')
+  done
+  bench gap_body_suite_2_ranks_over_1 "${seconds[2]}" "${seconds[1]}" s
+}
+
 # --- the vision manager
 
 # CPU time of a picture; peers: OpenCV's steps, and plain ones a pixel at a time.
@@ -235,7 +256,7 @@ window() {
     node "$(dirname "$0")/robot_window.mjs" "${words[@]}"
 }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera highway vision remote_jpeg remote_table monitor_find remote_round_trip remote_flood
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap gap_body camera highway vision remote_jpeg remote_table monitor_find remote_round_trip remote_flood
   remote_link gait window)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
