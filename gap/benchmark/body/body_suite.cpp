@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <mutex>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,7 +18,6 @@ namespace darwinop::gap {
 namespace {
 
 constexpr std::size_t kPairCases = 12, kEffectFreeCases = 16, kOutsideCases = 9;
-constexpr int kTries = 6;  // until a robot does not fall; the last is taken as it is
 
 /// What an owner knows of a robot: relative, or in the unit of the key.
 const std::map<std::string, double, std::less<>> kTrust{
@@ -81,11 +81,20 @@ struct Wanted {
   bool past_a_fall = true, fitted_logs = true;
 };
 
+/// Those first in which it may fall.
+std::vector<std::size_t> orderOf(const std::vector<BodyLog>& logs) {
+  std::vector<std::size_t> order(logs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_partition(order, [&](std::size_t log) { return logs[log].setup != BodySetup::kClamped; });
+  return order;
+}
+
 /// Logs of the plan by this robot.
 Measured measured(const BodyCase& plan, const BodyTruth& robot, std::uint64_t noise_seed, const Wanted& wanted) {
   Measured out{.recordings = plan, .fell = std::vector<bool>(plan.logs.size())};
-  for (std::size_t log = 0; log < plan.logs.size() && (wanted.past_a_fall || out.stands()); ++log) {
+  for (const std::size_t log : orderOf(plan.logs)) {
     if (!wanted.fitted_logs && !plan.logs[log].held_out) continue;
+    if (!wanted.past_a_fall && !out.stands()) break;
     const Disturbance noise{.seed = noise_seed + log};
     out.fell[log] = measureBody(out.recordings, log, robot, &noise);
   }
@@ -161,7 +170,7 @@ HiddenBody hiddenBody(const BodyRequest& request) {
     for (const BodyKeyEffect& effect : request.given) hide(effect, out.given, truth, out.key);
     for (const BodyEffect& effect : request.effects) hide(effect, out.given, rng, truth, out.key);
     const std::uint64_t seed = rng.next();
-    const bool may_fall = request.on_floor == FloorMotions::kBows || attempt == kTries;
+    const bool may_fall = request.on_floor == FloorMotions::kBows || attempt >= request.tries;
     Measured made = measured(out.given, truth, seed, {.past_a_fall = may_fall});
     if (!may_fall && !made.stands()) continue;
     const auto differenceTo = [&](const BodyTruth& robot, std::uint64_t of_noise) {

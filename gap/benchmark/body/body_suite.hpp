@@ -18,6 +18,7 @@ struct BodyRequest {
   bool wrong_numbers = false;             // of the model, within their priors
   std::vector<BodyKeyEffect> given = {};  // hidden as well, with these places and sizes
   FloorMotions on_floor = FloorMotions::kWalks;
+  int tries = 6;  // until a robot does not fall; the last is taken as it is
 };
 
 enum class BodyPart : std::uint8_t { kQuick, kSingles, kEffectFree, kPairs, kOutside, kAll };
@@ -31,8 +32,7 @@ struct HiddenBody {
   BodyCase given;
   BodyKey key;
 };
-/// The case in memory. The same for the same request. A robot that falls with each size that is drawn falls in its
-/// recordings.
+/// The case in memory. The same for the same request.
 HiddenBody hiddenBody(const BodyRequest& request);
 
 /// Writes FOLDER/cases/* and FOLDER/key.json, which must not be there yet.
