@@ -12,6 +12,18 @@ bool isLimbOpen(const ClampedRobot& robot, std::size_t limb, const BodyHypothesi
                              [&](const BodyRow& row) { return row.significance > open_from; });
 }
 
+/// Where to begin. Where a limp arm falls depends on every number, and not even nearly linearly: the other logs first.
+std::unique_ptr<LimbResiduals> beginningOf(const LimbResiduals& given, const BodyHypothesis& hypothesis) {
+  std::unique_ptr<LimbResiduals> held = given.withoutReleases(hypothesis);
+  if (held == nullptr) return nullptr;
+  for (int step = 0; step < thresholds::kNumberSteps; ++step) {
+    std::optional<Eigen::VectorXd> numbers = held->betterNumbers(hypothesis);
+    if (!numbers) break;
+    held = held->about(hypothesis, std::move(*numbers));
+  }
+  return given.about(hypothesis, held->numbers());
+}
+
 }  // namespace
 
 std::vector<std::size_t> openLimbs(const ClampedRobot& robot, const std::vector<BodyRow>& rows, double open_from) {
@@ -33,13 +45,14 @@ bool closeByNumbers(ClampedRobot& robot, const std::vector<std::size_t>& limbs, 
   for (const std::size_t limb : limbs) {
     if (!isLimbOpen(robot, limb, hypothesis, open_from)) continue;
     std::unique_ptr<LimbResiduals> before;
-    for (int step = 0; step < thresholds::kNumberSteps; ++step) {
+    if (std::unique_ptr<LimbResiduals> beginning = beginningOf(robot.residuals(limb), hypothesis))
+      before = robot.replace(limb, std::move(beginning));
+    for (int step = 0; step < thresholds::kNumberSteps && isLimbOpen(robot, limb, hypothesis, open_from); ++step) {
       const LimbResiduals& now = robot.residuals(limb);
       std::optional<Eigen::VectorXd> numbers = now.betterNumbers(hypothesis);
       if (!numbers) break;
       std::unique_ptr<LimbResiduals> old = robot.replace(limb, now.about(hypothesis, std::move(*numbers)));
       if (before == nullptr) before = std::move(old);
-      if (!isLimbOpen(robot, limb, hypothesis, open_from)) break;
     }
     if (before == nullptr) continue;
     if (isLimbOpen(robot, limb, hypothesis, open_from))

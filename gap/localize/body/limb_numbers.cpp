@@ -68,11 +68,23 @@ std::optional<Eigen::VectorXd> LimbResiduals::betterNumbers(const BodyHypothesis
   const Eigen::VectorXd here = modes_of_noise_.whitened(inSigmasOf(moved(about, numbers_)));
   const Eigen::VectorXd target = absorb(here + jacobian * numbers_, jacobian).moves;
   const double cost = costOf(about, numbers_);
-  for (const double share : {1.0, 0.5, 0.2}) {
+  for (double share = 1; share >= thresholds::kLeastShareOfAStep; share /= 2) {
     Eigen::VectorXd next = numbers_ + share * (target - numbers_);
     if (costOf(about, next) < cost) return next;
   }
   return {};
+}
+
+std::unique_ptr<LimbResiduals> LimbResiduals::withoutReleases(const BodyHypothesis& about) const {
+  std::vector<std::size_t> logs;
+  std::ranges::copy_if(logs_, std::back_inserter(logs), [&](std::size_t log) {
+    return std::ranges::all_of(limb_, [&](const Link& link) {
+      const auto& torque_on = given_.joint(log, static_cast<std::size_t>(link.joint)).torque_on;
+      return std::ranges::find(torque_on, 0) == torque_on.end();
+    });
+  });
+  if (logs.empty() || logs.size() == logs_.size()) return nullptr;
+  return std::make_unique<LimbResiduals>(given_, std::move(logs), limb_, about, numbers_);
 }
 
 std::unique_ptr<LimbResiduals> LimbResiduals::withNumbersOf(std::string_view effect, const std::vector<Joint>& at,

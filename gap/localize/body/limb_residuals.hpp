@@ -39,6 +39,9 @@ class LimbResiduals {
   [[nodiscard]] std::unique_ptr<LimbResiduals> about(const BodyHypothesis& about, Eigen::VectorXd numbers) const {
     return std::make_unique<LimbResiduals>(given_, logs_, limb_, about, std::move(numbers));
   }
+  /// The same numbers in those logs in which no joint of the limb is limp; null: these are all logs, or none.
+  [[nodiscard]] std::unique_ptr<LimbResiduals> withoutReleases(const BodyHypothesis& about) const;
+  [[nodiscard]] const Eigen::VectorXd& numbers() const { return numbers_; }
   /// The same samples, with the numbers that such an effect stands for at its values.
   [[nodiscard]] std::unique_ptr<LimbResiduals> withNumbersOf(std::string_view effect, const std::vector<Joint>& at,
                                                              const std::vector<double>& values,
