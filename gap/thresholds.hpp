@@ -344,9 +344,9 @@ inline constexpr double kReleasedFactor = 3;
 /// servo has caught a limb again. An arm that fell on its stop lay 10 mrad off in another simulator, and 3 mrad off in
 /// its own exact model for as long as it was held there: both looked like an offset of its encoder.
 inline constexpr double kStopMargin = 0.05, kCaught = 0.3;
-/// Prior standard deviations of a difference step of a limb's numbers: where dry friction holds a joint or not, a slope
-/// over a whole one leads nowhere. With 1 and three steps 5 of 8 robots of the own suite (effect-free, numbers wrong,
-/// seed 2026) were not like their model.
+/// Prior standard deviations of a difference step of a limb's numbers (and of the gain, which is nearly linear): where
+/// dry friction holds a joint or not, a slope over a whole one leads nowhere. With 1, three steps and all logs at once,
+/// 5 of 8 robots of the own suite (effect-free, numbers wrong, seed 2026) were not like their model; with these, none.
 inline constexpr double kPriorStep = 0.2;
 /// Steps of Gauss and Newton towards the most probable numbers of a limb, and the least share of one that is tried. A
 /// matter of run time: an arm that falls limp takes up to eight.

@@ -76,6 +76,7 @@ std::optional<Eigen::VectorXd> LimbResiduals::betterNumbers(const BodyHypothesis
 }
 
 std::unique_ptr<LimbResiduals> LimbResiduals::withoutReleases(const BodyHypothesis& about) const {
+  if (nuisances_.empty()) return nullptr;
   std::vector<std::size_t> logs;
   std::ranges::copy_if(logs_, std::back_inserter(logs), [&](std::size_t log) {
     return std::ranges::all_of(limb_, [&](const Link& link) {

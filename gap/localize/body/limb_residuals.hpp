@@ -39,7 +39,8 @@ class LimbResiduals {
   [[nodiscard]] std::unique_ptr<LimbResiduals> about(const BodyHypothesis& about, Eigen::VectorXd numbers) const {
     return std::make_unique<LimbResiduals>(given_, logs_, limb_, about, std::move(numbers));
   }
-  /// The same numbers in those logs in which no joint of the limb is limp; null: these are all logs, or none.
+  /// The same numbers in those logs in which no joint of the limb is limp; null: these are all logs, or none, or no
+  /// number is uncertain.
   [[nodiscard]] std::unique_ptr<LimbResiduals> withoutReleases(const BodyHypothesis& about) const;
   [[nodiscard]] const Eigen::VectorXd& numbers() const { return numbers_; }
   /// The same samples, with the numbers that such an effect stands for at its values.

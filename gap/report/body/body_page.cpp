@@ -23,12 +23,13 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kStyle =
     "table.robot td.open{background:var(--gone)}table.robot td.closed{background:var(--added)}"
     "table.robot td.none{color:var(--faint)}table.robot td{text-align:center}"
-    "figure{margin:0}svg{max-width:100%}svg path{stroke:var(--ink)}svg text{font-size:15px;dominant-baseline:middle}"
-    "svg polygon,svg circle,svg rect{stroke:var(--ink);stroke-width:.7}figcaption span{padding:0 "
-    ".5em;margin-right:.5em}"
-    ".untested{fill:#e4e4e4;background:#e4e4e4}.agrees{fill:#b9dfc2;background:#b9dfc2}"
-    ".diverges{fill:#e0603f;background:#e0603f}.possible{fill:#9ccbeb;background:#9ccbeb}"
-    ".named{fill:#0072b2;background:#0072b2;color:#fff}";
+    "figure{margin:0;print-color-adjust:exact;-webkit-print-color-adjust:exact}svg{max-width:100%}"
+    "svg path{stroke:var(--ink)}svg text{font-size:15px;dominant-baseline:middle}"
+    "svg polygon,svg circle,svg rect{stroke:var(--ink);stroke-width:.7}"
+    "figcaption span{padding:0 .5em;margin-right:.5em;border:1px solid var(--line)}"
+    "figure .untested{fill:#fff;stroke-dasharray:3 3;border-style:dashed}"
+    "figure .agrees{fill:#b9dfc2;background:#b9dfc2}figure .diverges{fill:#e0603f;background:#e0603f}"
+    "figure .possible{fill:#9ccbeb;background:#9ccbeb}figure .named{fill:#0072b2;background:#0072b2;color:#fff}";
 
 std::string section(std::string_view id, std::string_view title, const std::string& inside) {
   return wrap("section", wrap("h2", html::text(title)) + inside, " id=\"" + std::string{id} + "\"") + "\n";
@@ -180,7 +181,7 @@ std::string pictureOf(const BodyReport& report) {
   constexpr std::array<Colour, 5> kColours{{{PlaceState::kNamed, "an effect is named there"},
                                             {PlaceState::kPossible, "one of several that are possible"},
                                             {PlaceState::kDiverges, "diverges, not explained"},
-                                            {PlaceState::kAgrees, "agrees with the model"},
+                                            {PlaceState::kAgrees, "agrees, with what is named"},
                                             {PlaceState::kUntested, "not tested"}}};
   std::string legend;
   for (const Colour& colour : kColours)

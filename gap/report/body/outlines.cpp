@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/joints.hpp"
 #include "core/units.hpp"
 
 namespace darwinop::gap {
@@ -65,21 +66,29 @@ std::vector<Vector2d> hullOf(std::vector<Vector2d> points) {
   return hull;
 }
 
+/// The link that this body is fixed to; empty: it is not of the robot.
+std::string linkOf(const mjModel& m, const twin::BodyMap& map, int body) {
+  for (; body > 0; body = m.body_parentid[body]) {
+    if (body == map.trunk) return "Body";
+    const auto link = std::ranges::find(map.link, body);
+    if (link != map.link.end()) return std::string{kJointTable[static_cast<std::size_t>(link - map.link.begin())].name};
+  }
+  return "";
+}
+
 }  // namespace
 
-std::vector<Outline> outlinesOf(const mjModel& m, const mjData& d, const View& view) {
+std::vector<Outline> outlinesOf(const mjModel& m, const mjData& d, const twin::BodyMap& map, const View& view) {
   std::vector<Outline> out;
   for (int geom = 0; geom < m.ngeom; ++geom) {
-    const int body = m.geom_bodyid[geom];
-    if (m.geom_group[geom] != kDrawnGroup || body == 0) continue;
+    const std::string link = linkOf(m, map, m.geom_bodyid[geom]);
+    if (m.geom_group[geom] != kDrawnGroup || link.empty()) continue;
     const Eigen::Map<const Vector3d> size{m.geom_size + 3 * geom}, centre{d.geom_xpos + 3 * geom};
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> axes{d.geom_xmat + 9 * geom};
     std::vector<Vector2d> seen;
     for (const Vector3d& point : pointsOf(m.geom_type[geom], size)) seen.push_back(view.of(centre + axes * point));
     if (seen.empty()) continue;
-    out.push_back({.link = mj_id2name(&m, mjOBJ_BODY, body),
-                   .corners = hullOf(std::move(seen)),
-                   .depth = view.towards.dot(centre)});
+    out.push_back({.link = link, .corners = hullOf(std::move(seen)), .depth = view.towards.dot(centre)});
   }
   std::ranges::stable_sort(out, {}, &Outline::depth);
   return out;

@@ -17,12 +17,12 @@ struct View {
 };
 
 struct Outline {
-  std::string link;                      // name of the body in the model
+  std::string link;                      // "AnkleR", by its joint; "Body"
   std::vector<Eigen::Vector2d> corners;  // m, anticlockwise
   double depth = 0;                      // m along View::towards
 };
 
 /// `d` after mj_kinematics.
-std::vector<Outline> outlinesOf(const mjModel& m, const mjData& d, const View& view);
+std::vector<Outline> outlinesOf(const mjModel& m, const mjData& d, const twin::BodyMap& map, const View& view);
 
 }  // namespace darwinop::gap

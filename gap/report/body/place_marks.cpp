@@ -25,12 +25,12 @@ std::vector<std::string> placesOf(const Json& at) {
 
 void markEffect(PlaceMarks& marks, const Json& effect, PlaceState state) {
   const auto id = effect["id"].get<std::string>();
+  const std::string label = state == PlaceState::kNamed ? id : id + "?";
   for (const std::string& place : placesOf(effect["at"])) {
     PlaceMark& mark = marks[place];
     mark.state = std::max(mark.state, state);
-    // Twenty labels would hide the robot.
-    if (effect["at"] != "all" && mark.text.find(id) == std::string::npos)
-      mark.text += (mark.text.empty() ? "" : ", ") + id;
+    const bool is_known = std::ranges::find(mark.labels, label) != mark.labels.end();
+    if (effect["at"] != "all" && !is_known) mark.labels.push_back(label);  // twenty labels would hide the robot
   }
 }
 

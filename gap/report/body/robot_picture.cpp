@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/text/formatted.hpp"
+#include "core/text/joined.hpp"
 #include "gap/report/body/outlines.hpp"
 #include "gap/report/html.hpp"
 
@@ -41,7 +42,7 @@ struct Body {
         map{twin::mapBody(*model, of.body.xml)} {
     mj_kinematics(model.get(), data.get());
     std::vector<double> heights;
-    for (const Outline& outline : outlinesOf(*model, *data, kFront))
+    for (const Outline& outline : outlinesOf(*model, *data, map, kFront))
       for (const Vector2d& corner : outline.corners) heights.push_back(corner.y());
     const auto site = [&](int id) -> Vector3d { return Eigen::Map<const Vector3d>{data->site_xpos + 3 * id}; };
     inside = {{"gyro", site(map.gyro) - kApart * Vector3d::UnitY()},
@@ -63,7 +64,7 @@ class Drawing {
 
   [[nodiscard]] std::string links(const PlaceMarks& marks) const {
     std::string out;
-    for (const Outline& outline : outlinesOf(*body_.model, *body_.data, view_)) {
+    for (const Outline& outline : outlinesOf(*body_.model, *body_.data, body_.map, view_)) {
       std::string corners;
       for (const Vector2d& corner : outline.corners)
         corners += formatted("%s%.0f,%.0f", corners.empty() ? "" : " ", at(corner).x(), at(corner).y());
@@ -100,8 +101,9 @@ class Drawing {
                             const PlaceMarks& marks) {
     const auto mark = marks.find(place);
     const PlaceState state = mark == marks.end() ? PlaceState::kUntested : mark->second.state;
-    const std::string words = std::string{place} + ": " + std::string{nameOf(state)} +
-                              (mark == marks.end() || mark->second.text.empty() ? "" : ", " + mark->second.text);
+    const std::vector<std::string> labels = mark == marks.end() ? std::vector<std::string>{} : mark->second.labels;
+    const std::string words = std::string{place} + ": " + std::string{nameOf(state)} + (labels.empty() ? "" : ", ") +
+                              text::joined(labels, ", ");
     return wrap(shape, html::element("title", words), " class=\"" + std::string{nameOf(state)} + "\" " + attributes);
   }
 
@@ -110,25 +112,25 @@ class Drawing {
   double middle_;
 };
 
-/// The texts of the marks beside the front view, one below the other, each with a line to its place.
-std::string labels(const Drawing& front, const PlaceMarks& marks) {
+/// Beside the front view, one below the other, each with a line to its place.
+std::string labels(const Drawing& front, const PlaceMarks& marks, double height) {
   struct Label {
     Vector2d from;
     std::string text;
   };
   std::array<std::vector<Label>, 2> columns;  // left, right
-  for (const auto& [place, mark] : marks) {
-    if (mark.text.empty()) continue;
-    const Vector2d from = front.anchorOf(place);
-    columns.at(from.x() < front.middle() ? 0 : 1).push_back({from, place + ": " + mark.text});
-  }
+  for (const auto& [place, mark] : marks)
+    for (const std::string& label : mark.labels) {
+      const Vector2d from = front.anchorOf(place);
+      columns.at(from.x() < front.middle() ? 0 : 1).push_back({from, place + ": " + label});
+    }
   std::string out;
   for (const bool is_right : {false, true}) {
     std::vector<Label>& column = columns.at(is_right ? 1 : 0);
-    std::ranges::sort(column, {}, [](const Label& label) { return label.from.y(); });
-    double y = 0;
+    std::ranges::stable_sort(column, {}, [](const Label& label) { return label.from.y(); });
+    double y = 0, left = static_cast<double>(column.size());
     for (const Label& label : column) {
-      y = std::max(y + kLabelHeight, label.from.y());
+      y = std::max(y + kLabelHeight, std::min(label.from.y(), height - kLabelHeight * left--));
       const double x = front.middle() + (is_right ? kLabelX : -kLabelX);
       out += formatted("<path d=\"M%.0f,%.0f L%.0f,%.0f\"/>", label.from.x(), label.from.y(), x, y) +
              wrap("text", html::text(label.text),
@@ -147,10 +149,12 @@ std::string_view nameOf(PlaceState state) {
 
 std::string robotPicture(const twin::Model& model, const PlaceMarks& marks) {
   const Body body{model};
+  if (body.highest <= body.lowest) return "";
   const Drawing front{body, kFront, kFrontX}, side{body, kLeft, kSideX};
   const double height = kUnits * (body.highest - body.lowest) + kBelow;
   return wrap(
-      "svg", front.links(marks) + front.others(marks) + side.links(marks) + side.others(marks) + labels(front, marks),
+      "svg",
+      front.links(marks) + front.others(marks) + side.links(marks) + side.others(marks) + labels(front, marks, height),
       formatted(" viewBox=\"0 0 %.0f %.0f\" role=\"img\" aria-label=\"The robot from the front and from its left\"",
                 kWidth, height));
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "twin/model/model.hpp"
 
@@ -17,7 +18,7 @@ std::string_view nameOf(PlaceState state);
 
 struct PlaceMark {
   PlaceState state = PlaceState::kUntested;
-  std::string text = {};  // beside a place that is named or possible: "coulomb"
+  std::vector<std::string> labels = {};  // beside the place, a line each: "coulomb"
 };
 
 inline constexpr std::string_view kFloorPlace = "floor";
@@ -25,7 +26,8 @@ inline constexpr std::string_view kFloorPlace = "floor";
 /// By link ("AnkleR", "Body"), "gyro", "accelerometer", "battery" or kFloorPlace.
 using PlaceMarks = std::map<std::string, PlaceMark, std::less<>>;
 
-/// At joint angles of zero. Throws std::runtime_error where the model's body cannot be read.
+/// At joint angles of zero; empty where the model's body has nothing to draw. Throws std::runtime_error where it cannot
+/// be read.
 std::string robotPicture(const twin::Model& model, const PlaceMarks& marks);
 
 }  // namespace darwinop::gap
