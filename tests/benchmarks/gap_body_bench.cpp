@@ -52,7 +52,7 @@ void print(const std::string& name, double ours, double peer, const char* unit) 
 void simulateWholeBody(const BodyCase& given, std::size_t log) {
   const BodyLog& of = given.logs[log];
   twin::RobotBody body{given.joints.model, {.ball = twin::Ball::kNone, .clamped_up = of.up}};
-  Body::Drives drives{};
+  Drives drives{};
   for (std::size_t row = 1; row < of.rows(); ++row) {
     for (std::size_t joint = 0; joint < kJoints; ++joint)
       drives[joint] = {.torque_on = true, .goal_rad = given.joint(log, joint).goal_rad[row]};

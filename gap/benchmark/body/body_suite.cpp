@@ -85,7 +85,8 @@ struct Wanted {
 std::vector<std::size_t> orderOf(const std::vector<BodyLog>& logs) {
   std::vector<std::size_t> order(logs.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_partition(order, [&](std::size_t log) { return logs[log].setup != BodySetup::kClamped; });
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t log) { return logs[log].setup != BodySetup::kClamped; });
   return order;
 }
 
