@@ -26,7 +26,7 @@ constexpr std::string_view kStyle =
     "figure{margin:0;print-color-adjust:exact;-webkit-print-color-adjust:exact}svg{max-width:100%}"
     "svg path{stroke:var(--ink)}svg text{font-size:15px;dominant-baseline:middle}"
     "svg polygon,svg circle,svg rect{stroke:var(--ink);stroke-width:.7}"
-    "figcaption span{padding:0 .5em;margin-right:.5em;border:1px solid var(--line)}"
+    "figcaption span{display:inline-block;padding:0 .5em;margin-right:.5em;border:1px solid var(--line)}"
     "figure .untested{fill:#fff;stroke-dasharray:3 3;border-style:dashed}"
     "figure .agrees{fill:#b9dfc2;background:#b9dfc2}figure .diverges{fill:#e0603f;background:#e0603f}"
     "figure .possible{fill:#9ccbeb;background:#9ccbeb}figure .named{fill:#0072b2;background:#0072b2;color:#fff}";
