@@ -349,7 +349,7 @@ inline constexpr double kStopMargin = 0.05, kCaught = 0.3;
 /// 5 of 8 robots of the own suite (effect-free, numbers wrong, seed 2026) were not like their model; with these, none.
 inline constexpr double kPriorStep = 0.2;
 /// Steps of Gauss and Newton towards the most probable numbers of a limb, and the least share of one that is tried. A
-/// matter of run time: an arm that falls limp takes up to eight.
+/// matter of run time: most limbs close in two.
 inline constexpr int kNumberSteps = 12;
 inline constexpr double kLeastShareOfAStep = 1.0 / 32;
 /// Duty. Noise of measured load minus control law, whatever the register resolves: a position that is wrong by a tick.

@@ -20,7 +20,7 @@ struct BodyKey {
   bool is_outside = false;         // of every catalogue; `where` has its places
   std::vector<std::string> where;  // joints, or "Body"
   // Rms of joints on held-out logs, mrad: without what is hidden, and of two recordings of the same robot. NaN: not
-  // known.
+  // known. Logs in which a robot falls do not count.
   double gap_mrad = 0, noise_mrad = 0;
 };
 using BodyKeys = std::map<std::string, BodyKey>;  // by name of the case

@@ -81,7 +81,7 @@ struct Wanted {
   bool past_a_fall = true, fitted_logs = true;
 };
 
-/// Those first in which it may fall.
+/// Those first in which it may fall, since a fall ends an attempt.
 std::vector<std::size_t> orderOf(const std::vector<BodyLog>& logs) {
   std::vector<std::size_t> order(logs.size());
   std::iota(order.begin(), order.end(), 0);

@@ -18,7 +18,7 @@ struct BodyRequest {
   bool wrong_numbers = false;             // of the model, within their priors
   std::vector<BodyKeyEffect> given = {};  // hidden as well, with these places and sizes
   FloorMotions on_floor = FloorMotions::kWalks;
-  int tries = 6;  // until a robot does not fall; the last is taken as it is
+  int tries = 6;  // until a robot does not fall; the last one is kept, even if it does
 };
 
 enum class BodyPart : std::uint8_t { kQuick, kSingles, kEffectFree, kPairs, kOutside, kAll };

@@ -183,11 +183,12 @@ std::string pictureOf(const BodyReport& report) {
                                             {PlaceState::kDiverges, "diverges, not explained"},
                                             {PlaceState::kAgrees, "agrees, with what is named"},
                                             {PlaceState::kUntested, "not tested"}}};
+  const std::string picture = robotPicture(report.given->joints.model, marksOf(report));
+  if (picture.empty()) return "";
   std::string legend;
   for (const Colour& colour : kColours)
     legend += wrap("span", html::text(colour.meaning), " class=\"" + std::string{nameOf(colour.state)} + "\"") + " ";
-  return wrap("figure", robotPicture(report.given->joints.model, marksOf(report)) + "\n" + wrap("figcaption", legend)) +
-         "\n";
+  return wrap("figure", picture + "\n" + wrap("figcaption", legend)) + "\n";
 }
 
 /// A line for each joint, coloured: red diverges, green agrees.

@@ -32,13 +32,14 @@ std::vector<Vector3d> pointsOf(int type, const Vector3d& size) {
   static const std::vector<Vector3d> kDirections = directions();
   std::vector<Vector3d> out;
   for (const Vector3d& direction : kDirections) {
-    const Vector3d corner = direction.cwiseSign();
-    const Vector2d rim = direction.head<2>().normalized() * size[0];
     if (type == mjGEOM_SPHERE) out.emplace_back(size[0] * direction);
     if (type == mjGEOM_ELLIPSOID) out.emplace_back(size.cwiseProduct(direction));
-    if (type == mjGEOM_CAPSULE) out.emplace_back(size[0] * direction + Vector3d{0, 0, size[1] * corner[2]});
-    if (type == mjGEOM_CYLINDER) out.emplace_back(rim[0], rim[1], size[1] * corner[2]);
-    if (type == mjGEOM_BOX) out.emplace_back(size.cwiseProduct(corner));
+    if (type == mjGEOM_BOX) out.emplace_back(size.cwiseProduct(direction.cwiseSign()));
+    for (const double end : {-size[1], size[1]}) {
+      const Vector2d rim = direction.head<2>().normalized() * size[0];
+      if (type == mjGEOM_CAPSULE) out.emplace_back(size[0] * direction + Vector3d{0, 0, end});
+      if (type == mjGEOM_CYLINDER) out.emplace_back(rim[0], rim[1], end);
+    }
   }
   return out;
 }

@@ -9,7 +9,7 @@
 
 namespace darwinop::gap {
 
-/// Axes of the picture in the world (x forward, y left, z up), unit vectors; `towards`: to who looks.
+/// Axes of the picture in the world (x forward, y left, z up), unit vectors; `towards`: the viewer.
 struct View {
   Eigen::Vector3d right, up, towards;
 

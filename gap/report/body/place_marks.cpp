@@ -13,6 +13,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kTrunk = "Body";
 
+/// "AnkleR" of "AnkleR.position", "gyro" of "gyro.x".
+std::string placeOf(const std::string& signal) {
+  return signal.substr(0, signal.find('.'));
+}
+
 std::vector<std::string> placesOf(const Json& at) {
   if (at.is_array()) return at.get<std::vector<std::string>>();
   const auto place = at.get<std::string>();
@@ -23,15 +28,19 @@ std::vector<std::string> placesOf(const Json& at) {
   return joints;
 }
 
+void addLabel(PlaceMark& mark, const std::string& label) {
+  if (std::ranges::find(mark.labels, label) == mark.labels.end()) mark.labels.push_back(label);
+}
+
 void markEffect(PlaceMarks& marks, const Json& effect, PlaceState state) {
   const auto id = effect["id"].get<std::string>();
   const std::string label = state == PlaceState::kNamed ? id : id + "?";
   for (const std::string& place : placesOf(effect["at"])) {
     PlaceMark& mark = marks[place];
     mark.state = std::max(mark.state, state);
-    const bool is_known = std::ranges::find(mark.labels, label) != mark.labels.end();
-    if (effect["at"] != "all" && !is_known) mark.labels.push_back(label);  // twenty labels would hide the robot
+    if (effect["at"] != "all") addLabel(mark, label);
   }
+  if (effect["at"] == "all") addLabel(marks[kAllJoints], label);  // twenty labels would hide the robot
 }
 
 bool isSame(const Json& a, const Json& b) {
@@ -57,7 +66,7 @@ PlaceMarks marksOf(const BodyReport& report) {
   for (const BodyRow& row : report.found->table.rows) {
     const bool diverges = row.open && std::ranges::find(open, row.signal, &OpenSignal::signal) != open.end();
     const PlaceState state = diverges ? PlaceState::kDiverges : PlaceState::kAgrees;
-    mark(row.signal.substr(0, row.signal.find('.')), state);  // "AnkleR.position", "gyro.x"
+    mark(placeOf(row.signal), state);
     if (row.place.kind == Place::Kind::kContact) mark(std::string{kFloorPlace}, state), mark(kTrunk, state);
   }
   const Json& ambiguity = report.answer["ambiguity"];
@@ -65,6 +74,9 @@ PlaceMarks marksOf(const BodyReport& report) {
     for (const Json& one : group) markEffect(marks, one, PlaceState::kPossible);
   for (const Json& effect : report.answer["effects"])
     markEffect(marks, effect, hasRivals(effect, ambiguity) ? PlaceState::kPossible : PlaceState::kNamed);
+  // The colour of a name would hide what it leaves.
+  for (const OpenSignal& one : open)
+    if (PlaceMark& at = marks[placeOf(one.signal)]; at.state > PlaceState::kDiverges) addLabel(at, kNotAllExplained);
   return marks;
 }
 

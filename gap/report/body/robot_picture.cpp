@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/joints.hpp"
 #include "core/text/formatted.hpp"
 #include "core/text/joined.hpp"
 #include "gap/report/body/outlines.hpp"
@@ -91,8 +92,11 @@ class Drawing {
   [[nodiscard]] Vector2d anchorOf(std::string_view place) const {
     if (place == kFloorPlace) return at(Vector2d{0, body_.lowest}) + Vector2d{kFloorHalf, kFloorThickness / 2};
     if (const auto one = body_.inside.find(place); one != body_.inside.end()) return at(one->second);
-    const int link = mj_name2id(body_.model.get(), mjOBJ_BODY, std::string{place}.c_str());
-    return at(Vector3d{Eigen::Map<const Vector3d>{body_.data->xipos + 3 * std::max(link, body_.map.trunk)}});
+    const auto joint = std::ranges::find(kJointTable, place, &JointRow::name);
+    const int link = joint == kJointTable.end()
+                         ? body_.map.trunk
+                         : body_.map.link.at(static_cast<std::size_t>(joint - kJointTable.begin()));
+    return at(Vector3d{Eigen::Map<const Vector3d>{body_.data->xipos + 3 * link}});
   }
   [[nodiscard]] double middle() const { return middle_; }
 

@@ -23,7 +23,8 @@ struct PlaceMark {
 
 inline constexpr std::string_view kFloorPlace = "floor";
 
-/// By link ("AnkleR", "Body"), "gyro", "accelerometer", "battery" or kFloorPlace.
+/// By link ("AnkleR", "Body"), "gyro", "accelerometer", "battery" or kFloorPlace; labels of any other key begin at the
+/// trunk.
 using PlaceMarks = std::map<std::string, PlaceMark, std::less<>>;
 
 /// At joint angles of zero; empty where the model's body has nothing to draw. Throws std::runtime_error where it cannot

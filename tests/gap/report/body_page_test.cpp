@@ -85,6 +85,12 @@ TEST(BodyPage, NamesTheCommandThatSeparatesWhatIsAmbiguous) {
   EXPECT_THAT(asHtml(robot.report), HasSubstr(kSeparatedByPlan));
 }
 
+TEST(BodyPage, HasThePictureAndItsLegend) {
+  RobotRig robot{Verdict::kUnknown, {rowOnTheFloor("gyro.x", 9.3, true)}};
+  EXPECT_THAT(asHtml(robot.report), AllOf(HasSubstr("<figure><svg"), HasSubstr("<circle class=\"diverges\""),
+                                          HasSubstr("<span class=\"diverges\">")));
+}
+
 TEST(BodyPage, SaysWhatHeldOutLogsDecide) {
   EXPECT_THAT(asHtml(RobotRig{Verdict::kNone}.report), HasSubstr(messages::kHeldOutUse));
 }

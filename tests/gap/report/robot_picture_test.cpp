@@ -59,6 +59,7 @@ TEST(RobotPicture, ShowsSensorsAndFloor) {
       darwin(), {{"gyro", {PlaceState::kNamed, {"gyro_bias"}}}, {std::string{kFloorPlace}, {PlaceState::kAgrees}}});
   EXPECT_EQ(statesOf("gyro", picture), "named");
   EXPECT_EQ(statesOf("battery", picture), "") << "not marked";
+  EXPECT_EQ(statesOf("battery", robotPicture(darwin(), {{"battery", {PlaceState::kPossible}}})), "possible");
   EXPECT_EQ(statesOf("floor", picture), "agrees");
 }
 
@@ -107,7 +108,7 @@ TEST(PlaceMarks, ANameIsMoreThanWhatIsLeftThere) {
   robot.report.answer["effects"] = {effectAt("viscous", "Neck"), effectAt("backlash", {"Neck", "Head"})};
   const PlaceMarks marks = marksOf(robot.report);
   EXPECT_EQ(marks.at("Neck").state, PlaceState::kNamed);
-  EXPECT_THAT(marks.at("Neck").labels, ElementsAre("viscous", "backlash"));
+  EXPECT_THAT(marks.at("Neck").labels, ElementsAre("viscous", "backlash", kNotAllExplained));
   EXPECT_THAT(marks.at("Head").labels, ElementsAre("backlash"));
 }
 
@@ -124,11 +125,11 @@ TEST(PlaceMarks, RivalsArePossible) {
   EXPECT_THAT(marks.at("accelerometer").labels, ElementsAre("imu_mounting"));
 }
 
-TEST(PlaceMarks, AnEffectOfAllJointsColoursThemWithoutLabels) {
+TEST(PlaceMarks, AnEffectOfAllJointsHasOneLabel) {
   MarkedReport robot{{}};
   robot.report.answer["effects"].push_back(effectAt("coulomb", "all"));
   const PlaceMarks marks = marksOf(robot.report);
-  EXPECT_EQ(marks.size(), kJoints);
+  EXPECT_THAT(marks.at(kAllJoints).labels, ElementsAre("coulomb"));
   EXPECT_EQ(marks.at("AnkleR").state, PlaceState::kNamed);
   EXPECT_THAT(marks.at("AnkleR").labels, IsEmpty());
 }
