@@ -115,7 +115,7 @@ void scaling() {
 }
 
 // A whole case. Peer: one derivative of every clamped log by every number of every effect in every joint, by the whole
-// body: computed from the time of one roll-out of each log, since it takes hours, and as if two threads halved it.
+// body: computed from the time of one roll-out of each log, as if two threads halved it. A search takes many of them.
 void plain() {
   const BodyCase& given = hiddenCase();
   std::size_t numbers = 0;

@@ -173,7 +173,7 @@ gap_body() {
 # Four cases with two ranks; peer: one.
 gap_body_ranks() {
   local cases=$folder/body_cases n begin
-  local -a seconds effects=(--effect coulomb --effect link_mass --effect backlash@pair --effect none)
+  local -a seconds effects=(--effect coulomb --effect none --effect backlash@pair --effect none)
   "$build/bin/darwinop-gap" benchmark make --family body "${effects[@]}" --seed 7 --out "$cases" >/dev/null
   for n in 1 2; do
     begin=$(date +%s.%N)
