@@ -1,6 +1,5 @@
 // What two right models of a robot on the floor differ by, from ensembles of simulations: repeats with noise, other
 // physics engines, numbers within their priors.
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -165,23 +164,10 @@ void FloorResiduals::setDirections(const Ensemble& of, Noise& into) const {
 // A few runs do not span what one more would do: the part of each that the others leave is noise of each sample.
 void FloorResiduals::widenByWhatIsNotSpanned(const Ensemble& of, Noise& into) const {
   const Eigen::Index runs = of.repeats.cols(), engines = of.engines.cols(), draws = of.draws.cols();
-  const Eigen::MatrixXd gram = into.directions.transpose() * into.directions;
-  Eigen::VectorXd left = Eigen::VectorXd::Zero(into.sigma.size());
-  const auto addLeft = [&](Eigen::Index from, Eigen::Index count, double weight) {
-    for (Eigen::Index k = from; k < from + count; ++k) {
-      Eigen::MatrixXd normal = gram;
-      normal.row(k).setZero(), normal.col(k).setZero();
-      normal.diagonal().array() += 1;
-      Eigen::VectorXd right = gram.col(k);
-      right[k] = 0;
-      Eigen::VectorXd by = normal.ldlt().solve(right);
-      by[k] = 0;
-      left += weight * (into.directions.col(k) - into.directions * by).cwiseAbs2();
-    }
-  };
-  addLeft(0, runs, 1);
-  addLeft(runs, engines, 1.0 / static_cast<double>(engines));
-  if (draws > 0) addLeft(runs + engines, draws, 1);
+  const Eigen::MatrixXd of_one = notSpannedByOthers(into.directions).cwiseAbs2();
+  Eigen::VectorXd left = of_one.leftCols(runs).rowwise().sum();
+  left += of_one.middleCols(runs, engines).rowwise().mean();
+  left += of_one.middleCols(runs + engines, draws).rowwise().sum();
   const Eigen::VectorXd factor =
       (1 + smoothedBlocks(left, blocks_, thresholds::kNoiseVarianceHalfWindow).array()).sqrt();
   into.sigma = into.sigma.cwiseProduct(factor);

@@ -63,6 +63,20 @@ void LimbResiduals::estimateNoise(const BodyHypothesis& about) {
       directions_.row(block.begin + row) = slow.row(row) * (thresholds::kReleasedFactor / std::sqrt(kRuns * fast[row]));
     }
   }
+  widenByWhatIsNotSpanned();
+}
+
+// A few runs do not span what one more would do, a long free swing above all: what the others leave of each is noise of
+// each sample.
+void LimbResiduals::widenByWhatIsNotSpanned() {
+  const Eigen::VectorXd left = notSpannedByOthers(directions_).cwiseAbs2().rowwise().sum();
+  for (const LimbSamples& block : blocks_) {
+    const Eigen::VectorXd factor =
+        (1 + smoothed(left.segment(block.begin, block.rows), thresholds::kNoiseVarianceHalfWindow).array()).sqrt();
+    sigma_.segment(block.begin, block.rows).array() *= factor.array();
+    directions_.middleRows(block.begin, block.rows) =
+        factor.cwiseInverse().asDiagonal() * directions_.middleRows(block.begin, block.rows);
+  }
 }
 
 }  // namespace darwinop::gap

@@ -69,6 +69,7 @@ class LimbResiduals {
  private:
   [[nodiscard]] Eigen::VectorXd simulated(const BodyHypothesis& hypothesis, const Disturbance* noise) const;
   void estimateNoise(const BodyHypothesis& about);
+  void widenByWhatIsNotSpanned();
   void addPriors(const BodyHypothesis& about);
   /// An effect of the hypothesis has a number of its own.
   [[nodiscard]] bool isReplaced(std::size_t nuisance, const BodyHypothesis& by) const;

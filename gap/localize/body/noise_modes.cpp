@@ -1,5 +1,6 @@
 #include "gap/localize/body/noise_modes.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <vector>
@@ -24,6 +25,15 @@ NoiseModes::NoiseModes(const Eigen::MatrixXd& directions) {
 
 Eigen::VectorXd NoiseModes::whitened(const Eigen::VectorXd& scaled) const {
   return scaled - modes_ * shrink_.cwiseProduct(modes_.transpose() * scaled);
+}
+
+// A column less its ridge regression on the others: by the inverse of a block matrix, a column of the inverse of
+// 1 + gram over its diagonal.
+Eigen::MatrixXd notSpannedByOthers(const Eigen::MatrixXd& directions) {
+  Eigen::MatrixXd gram = directions.transpose() * directions;
+  gram.diagonal().array() += 1;
+  const Eigen::MatrixXd inverse = gram.ldlt().solve(Eigen::MatrixXd::Identity(gram.rows(), gram.cols()));
+  return directions * (inverse * inverse.diagonal().cwiseInverse().asDiagonal());
 }
 
 Eigen::VectorXd inSigmas(const Eigen::VectorXd& residuals, const Eigen::VectorXd& measured,

@@ -20,6 +20,10 @@ class NoiseModes {
   Eigen::VectorXd shrink_;  // what whitening takes away of each
 };
 
+/// What each column has that the others, each as likely as one of a standard deviation, leave of it: what one more run
+/// of an ensemble would add to those that there are.
+Eigen::MatrixXd notSpannedByOthers(const Eigen::MatrixXd& directions);
+
 /// Residuals over their standard deviations. Not measured: 0. Not simulated: impossible.
 Eigen::VectorXd inSigmas(const Eigen::VectorXd& residuals, const Eigen::VectorXd& measured,
                          const Eigen::VectorXd& sigma);

@@ -26,5 +26,15 @@ TEST(ReleasedArm, IsLikeItsModelOnceTheNumbersAre) {
   EXPECT_LT(significance(), kOpenFrom);
 }
 
+// A long free swing of a released arm: twelve simulated falls do not span a thirteenth.
+TEST(ReleasedArm, HasNoGapWhereNoSimulatedFallIsLikeIt) {
+  const BodyRequest request = bodyRequests(2026, BodyPart::kPairs).at(2);
+  const BodyCase given = hiddenBody(request).given;
+  const ClampedRobot robot{given};
+  const std::size_t arm = robot.limbOf(Joint::kShoulderR);
+  const auto rows = limbRows(robot, arm, robot.baseline());
+  EXPECT_LT(std::ranges::max(rows, {}, &BodyRow::significance).significance, kOpenFrom);
+}
+
 }  // namespace
 }  // namespace darwinop::gap
