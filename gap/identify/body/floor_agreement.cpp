@@ -14,18 +14,16 @@ std::vector<LogGain> gainsOf(const FloorResiduals& about_with, const FloorTraces
   std::vector<LogGain> out;
   for (const FloorSamples& block : about_with.blocks()) {
     if (block.signal == 0) out.emplace_back();  // the first signal of a log
-    const Eigen::VectorXd from = before.segment(block.begin, block.rows), to = after.segment(block.begin, block.rows);
-    // Contacts of another engine are off for many rows at a time.
-    out.back().gain += (robustCost(from) - robustCost(to)) / thresholds::kCorrelatedSamples;
-    out.back().change += (to - from).squaredNorm() / thresholds::kCorrelatedSamples;
+    out.back() += gainOf(before.segment(block.begin, block.rows), after.segment(block.begin, block.rows));
   }
+  for (LogGain& log : out) log /= thresholds::kCorrelatedSamples;  // contacts of another engine are off for many rows
   return out;
 }
 
 bool refute(const std::vector<LogGain>& logs) {
   LogGain all;
-  for (const LogGain& log : logs) all.gain += log.gain, all.change += log.change;
-  return std::ranges::any_of(logs, refutes) || (all.change > thresholds::kDecidingChange && all.gain < 0);
+  for (const LogGain& log : logs) all += log;
+  return std::ranges::any_of(logs, refutes) || (all.decides() && all.gain < 0);
 }
 
 bool UnseenFloor::refute(const FloorModel& without, const FloorModel& with) const {

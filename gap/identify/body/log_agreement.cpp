@@ -8,19 +8,49 @@
 
 namespace darwinop::gap {
 
+LogGain& LogGain::operator+=(const LogGain& other) {
+  gain += other.gain, change += other.change, expected += other.expected;
+  cost += other.cost, samples += other.samples;
+  return *this;
+}
+
+LogGain& LogGain::operator/=(double rows_alike) {
+  gain /= rows_alike, change /= rows_alike, expected /= rows_alike;
+  cost /= rows_alike, samples /= rows_alike;
+  return *this;
+}
+
+double LogGain::remainder() const {
+  return samples > 0 ? std::max(1.0, (cost + std::min(0.0, gain)) / samples) : 1;
+}
+
+bool LogGain::decides() const {
+  return change > thresholds::kDecidingChange * remainder();
+}
+
 bool refutes(const LogGain& log) {
-  return log.change > thresholds::kDecidingChange && log.gain < -log.change / 2;
+  return log.decides() && log.gain < -log.change / 2;
 }
 
 bool supports(const LogGain& log) {
-  return log.change > thresholds::kDecidingChange && log.gain > log.change / 2;
+  return log.decides() && log.gain > log.expected / 2;
+}
+
+LogGain gainOf(const Eigen::VectorXd& without, const Eigen::VectorXd& with) {
+  const double cost = robustCost(with);
+  return {.gain = robustCost(without) - cost,
+          .change = (with - without).squaredNorm(),
+          .expected = (with - without).cwiseAbs2().dot(robustWeights(with.cwiseAbs().cwiseMax(without.cwiseAbs()))),
+          .cost = cost,
+          .samples = static_cast<double>(with.size())};
 }
 
 namespace {
 
 LogGain gainIn(const LimbResiduals& residuals, const BodyHypothesis& without, const BodyHypothesis& with) {
-  const Eigen::VectorXd before = residuals.of(without), after = residuals.of(with);
-  return {robustCost(before) - robustCost(after), (after - before).squaredNorm()};
+  LogGain gain = gainOf(residuals.of(without), residuals.of(with));
+  gain.samples /= 2;  // loads cost next to nothing
+  return gain;
 }
 
 }  // namespace
@@ -45,10 +75,10 @@ bool anyLogRefutes(const ClampedRobot& robot, const std::vector<std::size_t>& li
     const Eigen::VectorXd before = residuals.of(without), after = residuals.of(with);
     Eigen::Index at = 0;
     for (const LimbSamples& block : residuals.blocks()) {
-      const Eigen::VectorXd from = before.segment(at, block.rows), to = after.segment(at, block.rows);
+      LogGain gain = gainOf(before.segment(at, block.rows), after.segment(at, block.rows));
       at += block.rows;
-      LogGain& log = logs[block.log];
-      log.gain += robustCost(from) - robustCost(to), log.change += (to - from).squaredNorm();
+      if (block.is_load) gain.samples = 0;  // they cost next to nothing
+      logs[block.log] += gain;
     }
   }
   return std::ranges::any_of(logs, [](const auto& one) { return refutes(one.second); });

@@ -40,11 +40,6 @@ double stepOf(const Number& number) {
   return kDifferenceShare * (typical > 0 ? typical : (number.high - number.low) / 4);
 }
 
-/// Derivative of the robust cost: weight of each residual.
-Eigen::VectorXd robustWeights(const Eigen::VectorXd& z) {
-  return (1 + (z.array() / thresholds::kRobustSigmas).square()).rsqrt();
-}
-
 class Search {
  public:
   Search(const ResidualsOfEffects& residuals_of, std::vector<PlacedMechanics> effects,
@@ -187,6 +182,10 @@ double robustCost(const Eigen::VectorXd& whitened) {
   double sum = 0;
   for (const double one : whitened) sum += 2 * kLimit * kLimit * (std::sqrt(1 + std::pow(one / kLimit, 2)) - 1);
   return sum;
+}
+
+Eigen::VectorXd robustWeights(const Eigen::VectorXd& whitened) {
+  return (1 + (whitened.array() / thresholds::kRobustSigmas).square()).rsqrt();
 }
 
 MechanicsFit fitEffects(const ResidualsOfEffects& residuals, std::vector<PlacedMechanics> effects,

@@ -23,6 +23,8 @@ std::vector<std::size_t> limbsOf(const ClampedRobot& robot, const std::vector<Pl
 
 /// Robust sum of squares.
 double robustCost(const Eigen::VectorXd& whitened);
+/// Its derivative over twice a residual: the weight of each.
+Eigen::VectorXd robustWeights(const Eigen::VectorXd& whitened);
 
 /// Residuals in standard deviations, with these effects.
 using ResidualsOfEffects = std::function<Eigen::VectorXd(const std::vector<PlacedMechanics>&)>;

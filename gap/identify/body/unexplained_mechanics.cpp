@@ -29,19 +29,21 @@ double sumOver(const std::vector<std::size_t>& limbs, const std::vector<double>&
 
 namespace {
 
-/// What is left of the joints in its limbs is small in the held-out logs, and these show the effect: without it all
-/// that it changes would be a gap.
-bool holdsUnseen(const ClampedRobot& robot, const std::vector<FoundMechanics>& found, std::size_t one) {
+/// An effect that leaves much unexplained is named all the same where the held-out logs show it: without it all that it
+/// changes would be a gap. That takes a small remainder in them, or several limbs, each by itself.
+bool isShownByHeldOut(const ClampedRobot& robot, const std::vector<FoundMechanics>& found, std::size_t one) {
   const std::vector<PlacedMechanics> all = effectsOf(found);
   std::vector<PlacedMechanics> others = all;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(one));
   const BodyHypothesis without = with(robot, others), with_it = with(robot, all);
   const std::vector<std::size_t> limbs = limbsOf(robot, {all[one]});
-  if (!(heldOutErrorIn(robot, limbs, with_it) <= thresholds::kSmallRemainder * readingSigma(with_it.servos.servo)))
-    return false;
+  const double small = thresholds::kSmallRemainder * readingSigma(with_it.servos.servo);
+  const bool is_small = heldOutErrorIn(robot, limbs, with_it) <= small;
+  if (!is_small && limbs.size() < thresholds::kLimbsOfAll) return false;
   std::vector<LogGain> gains(limbs.size());
   forEach(limbs.size(), [&](std::size_t i) { gains[i] = heldOutGain(robot, limbs[i], without, with_it); });
-  return std::ranges::all_of(gains, supports);
+  const auto showing = static_cast<std::size_t>(std::ranges::count_if(gains, supports));
+  return showing == limbs.size() || (showing >= thresholds::kLimbsOfAll && std::ranges::none_of(gains, refutes));
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ void dropUnexplained(const ClampedRobot& robot, double open_from, MechanicsSelec
     const FoundMechanics& one = selection.found[i];
     return one.is_in_controller || !isInOneOf(robot, one.placed, open) ||
            sumOver(limbsOf(robot, {one.placed}), after) < (1 - thresholds::kExplainedGapShare) * one.excess_before ||
-           holdsUnseen(robot, selection.found, i);
+           isShownByHeldOut(robot, selection.found, i);
   };
   std::vector<bool> is_kept(selection.found.size());
   for (std::size_t i = 0; i < is_kept.size(); ++i) is_kept[i] = isExplained(i);

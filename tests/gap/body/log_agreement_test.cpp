@@ -16,5 +16,19 @@ TEST(LogAgreement, ALogThatTheEffectHardlyChangesDecidesNothing) {
   EXPECT_FALSE(refutes({.gain = -20, .change = 22}));
 }
 
+TEST(LogAgreement, ALogThatNeitherModelExplainsDecidesLess) {
+  const LogGain right{.gain = -60, .change = 80, .cost = 160, .samples = 100};
+  EXPECT_TRUE(refutes(right));
+  LogGain poor = right;
+  poor.cost = 460;  // and 400 without the effect: four a sample
+  EXPECT_FALSE(refutes(poor));
+  poor.change = poor.expected = 101, poor.gain = 70;
+  EXPECT_FALSE(supports(poor)) << "what is left by the better model counts: 4.6 a sample";
+}
+
+TEST(LogAgreement, AnEffectThatRuinsALogIsRefutedByIt) {
+  EXPECT_TRUE(refutes({.gain = -2000, .change = 2400, .cost = 2100, .samples = 100}));
+}
+
 }  // namespace
 }  // namespace darwinop::gap

@@ -119,5 +119,23 @@ TEST(MechanicsSearch, ASmallRemainderTakesNoNameAwayThatHeldOutRecordingsShow) {
   }
 }
 
+// All recordings jump about, so that much is left whatever is named.
+TEST(MechanicsSearch, WhatSeveralLimbsShowInHeldOutRecordingsKeepsItsName) {
+  BodyCase given = movingRobot(shippedWith("viscous", allJoints(), {0.06}));
+  Rng rng{7};
+  for (Trajectory& log : given.joints.logs)
+    for (double& position : log.position_rad) position += 0.0009 * rng.normal();
+  for (const bool is_everywhere : {true, false}) {
+    const std::vector<Joint> joints = is_everywhere ? allJoints() : std::vector<Joint>{Joint::kArmUpperR};
+    const ClampedRobot robot{given};
+    MechanicsSelection selection;
+    selection.found.push_back({.placed = {&effectCalled("viscous"), joints, {0.06}}, .sigmas = {}, .rivals = {}});
+    selection.rows = mechanicsRows(robot, robot.baseline());
+    for (BodyRow& row : selection.rows) row.significance = 2 * kOpenFrom;
+    dropUnexplained(robot, kOpenFrom, selection);
+    EXPECT_THAT(selection.found, SizeIs(is_everywhere ? 1 : 0)) << joints.size() << " joints";
+  }
+}
+
 }  // namespace
 }  // namespace darwinop::gap
