@@ -17,11 +17,11 @@ double numberPrice(const ClampedRobot& robot, const std::vector<std::size_t>& li
   return std::log(std::max(2.0, samples));
 }
 
+}  // namespace
+
 double priceOf(const ClampedRobot& robot, const PlacedMechanics& placed, std::size_t numbers) {
   return namePrice(placed) + static_cast<double>(numbers) * numberPrice(robot, limbsOf(robot, {placed}));
 }
-
-}  // namespace
 
 MechanicsEntry fittedFrom(const ClampedRobot& robot, const std::vector<FoundMechanics>& found,
                           const PlacedMechanics& start) {

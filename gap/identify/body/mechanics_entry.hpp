@@ -19,6 +19,8 @@ std::vector<PlacedMechanics> effectsOf(const std::vector<FoundMechanics>& found)
 void setOwn(BodyHypothesis robot, std::vector<FoundMechanics>& found);
 /// Robust cost of these limbs.
 double costOf(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& hypothesis);
+/// Cost that an effect has to remove to be worth its name and so many free numbers.
+double priceOf(const ClampedRobot& robot, const PlacedMechanics& placed, std::size_t numbers);
 /// One of the effect's joints is in one of the limbs.
 bool isInOneOf(const ClampedRobot& robot, const PlacedMechanics& effect, const std::vector<std::size_t>& limbs);
 

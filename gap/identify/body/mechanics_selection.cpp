@@ -8,25 +8,13 @@
 #include "gap/identify/body/held_out_motion.hpp"
 #include "gap/identify/body/log_agreement.hpp"
 #include "gap/identify/body/next_mechanics.hpp"
+#include "gap/identify/body/refit_mechanics.hpp"
 #include "gap/identify/body/unexplained_mechanics.hpp"
 #include "gap/localize/body/close_by_numbers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-/// Estimates the noise about what was found, and fits all numbers in the limbs of the last effect together.
-void refit(ClampedRobot& robot, std::vector<FoundMechanics>& found) {
-  const std::vector<std::size_t> touched = limbsOf(robot, {found.back().placed});
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i].is_in_controller) continue;  // a motion that is not quite right must not move what loads show directly
-    if (isInOneOf(robot, found[i].placed, touched)) free.push_back(i);
-  }
-  robot.renew(touched, with(robot, effectsOf(found)));
-  const MechanicsFit all = fitMechanics(robot, effectsOf(found), free, false, thresholds::kMechanicsIterations);
-  for (const std::size_t i : free) found[i].placed = all.effects[i], found[i].sigmas = all.sigmas[i];
-}
 
 bool contains(const std::vector<PlacedMechanics>& list, const PlacedMechanics& placed) {
   return std::ranges::any_of(list, [&](const auto& one) { return one.sameName(placed); });
@@ -47,6 +35,7 @@ class ForwardSelection {
   void renewRows(MechanicsSelection& out, const std::vector<std::size_t>& limbs);
 
  private:
+  void addAll(MechanicsSelection& out);
   /// False: there is no acceptable candidate.
   bool step(MechanicsSelection& out);
   bool add(MechanicsSelection& out, FoundMechanics one);
@@ -97,7 +86,7 @@ bool ForwardSelection::add(MechanicsSelection& out, FoundMechanics one) {
   const BodyHypothesis before = with(robot_, effectsOf(without));
   const double unseen = heldOutError(robot_, before);
   out.found.push_back(std::move(one));
-  refit(robot_, out.found);
+  refitMechanics(robot_, out.found);
   const BodyHypothesis after = with(robot_, effectsOf(out.found));
   renewRows(out, limbs);  // both are judged with the numbers that the fits left
   const bool holds = !anyLogRefutes(robot_, limbs, before, after) && holdsUnseen(unseen, heldOutError(robot_, after));
@@ -175,10 +164,18 @@ FoundMechanics ForwardSelection::foundOf(const MechanicsEntry& best, const std::
           .excess_before = sumOver(limbs, excess_)};
 }
 
-void ForwardSelection::run(MechanicsSelection& out) {
-  renewRows(out, limbsOf(robot_, effectsOf(out.found)));
+void ForwardSelection::addAll(MechanicsSelection& out) {
   while (out.found.size() < thresholds::kMostMechanics && step(out)) {
   }
+}
+
+void ForwardSelection::run(MechanicsSelection& out) {
+  renewRows(out, limbsOf(robot_, effectsOf(out.found)));
+  addAll(out);
+  const std::vector<std::size_t> dropped = dropSuperfluous(robot_, out.found);
+  if (dropped.empty()) return;
+  renewRows(out, dropped);
+  addAll(out);
 }
 
 }  // namespace
