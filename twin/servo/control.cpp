@@ -59,6 +59,13 @@ void Servo::applyVoltageLaw(double dt_s) noexcept {
   s.speed_command_rad_s = 0;
 }
 
+void Servo::startIntegralFrom(double duty) noexcept {
+  Signals& s = signals_;
+  if (s.law != Law::kVoltageP || s.i_gain == 0 || !s.torque_on) return;
+  integral_ = std::clamp(integral_ + duty - s.duty, -s.duty_limit, s.duty_limit);
+  s.duty = std::clamp(duty, -s.duty_limit, s.duty_limit);
+}
+
 // Webots motor: P on the position error sets a speed, limited in magnitude and in rate.
 void Servo::applySpeedLaw(double dt_s) noexcept {
   Signals& s = signals_;

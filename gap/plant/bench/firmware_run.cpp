@@ -76,6 +76,10 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
     return static_cast<std::size_t>(std::max(1.0, periods(log.read_s[row]) - periods(log.written_s[row])));
   };
   period(0, knownPosition(log, 0), 0);
+  if (held && std::isfinite(log.load[0])) {  // an integral has summed up what the joint is held with
+    servo.startIntegralFrom(log.load[0]);
+    run.duty.back() = servo.signals().duty;
+  }
   run.last.push_back(0);
   for (std::size_t row = 0; row + 1 < log.rows(); ++row) {
     const std::size_t commands = commandsAfter(given, log, row);

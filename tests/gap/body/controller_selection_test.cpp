@@ -52,6 +52,15 @@ TEST_P(ControllerEffect, IsNamedWithItsPlaceAndNumberWithoutASimulation) {
   EXPECT_THAT(found.front().rivals, IsEmpty());
 }
 
+// Before a recording begins the integral of a held joint has summed up its droop.
+TEST(ControllerEffects, AnIntegralIsFoundInAJointThatWasHeldBefore) {
+  const std::vector<FoundMechanics> found = foundIn(hiding("integral", {4}, kHips));
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found.front().placed.effect->id, "integral");
+  EXPECT_THAT(found.front().placed.joints, testing::ElementsAreArray(kHips));
+  EXPECT_NEAR(found.front().placed.values[0], 4, 0.1);
+}
+
 TEST(ControllerEffects, AllJointsAreOneName) {
   std::vector<Joint> all;
   for (std::size_t joint = 0; joint < kJoints; ++joint) all.push_back(static_cast<Joint>(joint));
