@@ -1,30 +1,18 @@
 #include "gap/benchmark/body/body_suite.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <mutex>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
-#include "gap/benchmark/body/given_effects.hpp"
 #include "gap/benchmark/body/write_body_case.hpp"
-#include "gap/localize/body/drawn_robot.hpp"
 #include "gap/parallel/parallel.hpp"
-#include "gap/plant/body/joint_alone.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr std::size_t kPairCases = 12, kEffectFreeCases = 16, kOutsideCases = 9;
-
-/// What an owner knows of a robot: relative, or in the unit of the key.
-const std::map<std::string, double, std::less<>> kTrust{
-    {"body.mass", 0.03},          {"body.com_m", 0.002},   {"servo", 0.03},
-    {"servo.duty_per_kp", 0.01},  {"servo.armature", 0.1}, {"friction", 0.2},
-    {"floor_friction", 0.15},     {"contact_time", 0.2},   {"imu.gyro_bias_rad_s", 0.03},
-    {"imu.accel_bias_m_s2", 0.05}};
 
 using BodyRequests = std::vector<BodyRequest>;
 
@@ -70,61 +58,6 @@ BodyRequests named(BodyRequests all, Rng& rng) {
   return all;
 }
 
-struct Measured {
-  BodyCase recordings;
-  std::vector<bool> fell;  // of each log
-
-  [[nodiscard]] bool stands() const { return std::ranges::find(fell, true) == fell.end(); }
-};
-
-struct Wanted {
-  bool past_a_fall = true, fitted_logs = true;
-};
-
-/// Those first in which it may fall, since a fall ends an attempt.
-std::vector<std::size_t> orderOf(const std::vector<BodyLog>& logs) {
-  std::vector<std::size_t> order(logs.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_partition(order.begin(), order.end(),
-                        [&](std::size_t log) { return logs[log].setup != BodySetup::kClamped; });
-  return order;
-}
-
-/// Logs of the plan by this robot.
-Measured measured(const BodyCase& plan, const BodyTruth& robot, std::uint64_t noise_seed, const Wanted& wanted) {
-  Measured out{.recordings = plan, .fell = std::vector<bool>(plan.logs.size())};
-  for (const std::size_t log : orderOf(plan.logs)) {
-    if (!wanted.fitted_logs && !plan.logs[log].held_out) continue;
-    if (!wanted.past_a_fall && !out.stands()) break;
-    const Disturbance noise{.seed = noise_seed + log};
-    out.fell[log] = measureBody(out.recordings, log, robot, &noise);
-  }
-  return out;
-}
-
-/// Rms difference of the joints on held-out logs, mrad; where one of both fell, they have nothing in common.
-double differenceOf(const Measured& a, const Measured& b) {
-  double sum = 0, count = 0;
-  for (std::size_t i = 0; i < a.recordings.joints.logs.size(); ++i) {
-    const Trajectory &one = a.recordings.joints.logs[i], &other = b.recordings.joints.logs[i];
-    if (!one.held_out || a.fell[i / kJoints] || b.fell[i / kJoints]) continue;
-    for (std::size_t row = 0; row < one.rows(); ++row, ++count)
-      sum += std::pow(one.position_rad[row] - other.position_rad[row], 2);
-  }
-  return 1e3 * std::sqrt(sum / count);
-}
-
-BodyTruth robotOf(const BodyRequest& request, const BodyCase& plan, Rng& rng) {
-  BodyTruth truth{.model = {.robot = {.robot = {bodyBaselineOf(plan), {}}, .floor = {}}}, .outside = {}, .loose = {}};
-  if (!request.wrong_numbers) return truth;
-  truth.model.robot = drawnRobots(plan, truth.model.robot, rng.next(), 1).front();
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    truth.model.imu.gyro.bias[axis] = plan.sigmaOf("imu.gyro_bias_rad_s") * rng.normal();
-    truth.model.imu.accel.bias[axis] = plan.sigmaOf("imu.accel_bias_m_s2") * rng.normal();
-  }
-  return truth;
-}
-
 }  // namespace
 
 BodyRequests bodyRequests(std::uint64_t seed, BodyPart part) {
@@ -158,30 +91,6 @@ BodyRequests bodyRequestsFor(std::uint64_t seed, const std::vector<std::string>&
     all.push_back(std::move(request));
   }
   return named(std::move(all), rng);
-}
-
-HiddenBody hiddenBody(const BodyRequest& request) {
-  Rng rng{request.seed};
-  for (int attempt = 1;; ++attempt) {
-    HiddenBody out{.given = plannedBody(request.name, rng.next(), request.on_floor), .key = {}};
-    if (request.wrong_numbers) out.given.trust = kTrust;
-    out.key.is_exact = !request.wrong_numbers;
-    BodyTruth truth = robotOf(request, out.given, rng);
-    const BodyTruth believed = truth;
-    for (const BodyKeyEffect& effect : request.given) hide(effect, out.given, truth, out.key);
-    for (const BodyEffect& effect : request.effects) hide(effect, out.given, rng, truth, out.key);
-    const std::uint64_t seed = rng.next();
-    const bool may_fall = request.on_floor == FloorMotions::kBows || attempt >= request.tries;
-    Measured made = measured(out.given, truth, seed, {.past_a_fall = may_fall});
-    if (!may_fall && !made.stands()) continue;
-    const auto differenceTo = [&](const BodyTruth& robot, std::uint64_t of_noise) {
-      return differenceOf(made, measured(out.given, robot, of_noise, {.fitted_logs = false}));
-    };
-    out.key.noise_mrad = differenceTo(truth, seed + 100) / std::sqrt(2.0);
-    out.key.gap_mrad = out.key.effects.empty() ? 0 : differenceTo(believed, seed);
-    out.given = std::move(made.recordings);
-    return out;
-  }
 }
 
 void makeBodyCases(const std::string& folder, const BodyRequests& requests,
