@@ -362,8 +362,8 @@ inline constexpr double kMechanicalChance = 0.01;
 /// of a limb, or of the floor, that may fail a log or the held-out ones. A matter of run time.
 inline constexpr std::size_t kFittedMechanics = 8, kFittedOfLimb = 3, kRefusedOfLimb = 2;
 inline constexpr int kMechanicsIterations = 8;
-/// Strengths of an effect, over that of a fit, from which a fit begins again, and how often. A play in all joints of
-/// 6.4 mrad in a body that moves had valleys at 4.2, 5.6 and 5.8.
+/// Scales of a fitted effect at which other local minima are looked for, and rounds. The cost of a play of 6.4 mrad in
+/// all joints had local minima at 4.2, 5.6 and 5.8 mrad (robot of tests/gap/body/moving_robot.hpp).
 inline constexpr double kMechanicsStrengths[] = {0.6, 0.8, 0.9, 1.1, 1.25, 1.6};
 inline constexpr int kMechanicsValleys = 3;
 /// Torque ripples a turn from which they are looked for in a robot's joint, which moves by a sixth of a turn: fewer
@@ -379,7 +379,7 @@ inline constexpr double kMechanicsShare = 0.1;
 inline constexpr double kMechanicsRemainder = 0.002;
 /// Squared change of a log's residuals, in sigmas, from which the log may refute an effect by losing half of it: a
 /// right one would gain all of it, with a standard deviation of twice its root, so that it loses half by chance in
-/// 1e-4. Of sigmas widened by what either model leaves. A link of -0.01 kg that chaos of one release suggested in
+/// 1e-4. Multiplied by LogGain::remainder(). A link of -0.01 kg that chaos of one release suggested in
 /// another physics lost 0.6 and 0.8 of 40 in two other logs; the effects of the example cases gain in every log.
 inline constexpr double kDecidingChange = 25;
 /// Ratio of held-out errors from which an effect of the mechanics worsens them and is dropped: repeats differ by 1 %.

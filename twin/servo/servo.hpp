@@ -40,8 +40,8 @@ class Servo {
   /// transmission see Transmission::encoderRad().
   void firmware(const ServoDrive& drive, double position_rad, double velocity_rad_s) noexcept;
 
-  /// As if the duty of the last period had been this one by what an I gain has summed up before: of a joint that was
-  /// held for long. Without an I gain nothing changes.
+  /// Sets the integral so that the last period's duty is `duty`, as after a hold of unknown length. No effect without
+  /// an I gain, with torque off, or under law speed_p.
   void startIntegralFrom(double duty) noexcept;
 
   /// Torques on the motor side in this state, within the period. `external_nm`: torque of gravity and contacts on the

@@ -19,8 +19,8 @@ const std::map<std::string, double, std::less<>> kTrust{
     {"floor_friction", 0.15},     {"contact_time", 0.2},   {"imu.gyro_bias_rad_s", 0.03},
     {"imu.accel_bias_m_s2", 0.05}};
 
-/// Noises by which each drawn effect shows: the weakest of the example cases has 4.
-constexpr double kShown = 4;
+/// Noise standard deviations from which an effect counts as visible: those of the weakest effect in the example cases.
+constexpr double kVisibleSigmas = 4;
 
 struct Measured {
   BodyCase recordings;
@@ -29,7 +29,7 @@ struct Measured {
   [[nodiscard]] bool stands() const { return std::ranges::find(fell, true) == fell.end(); }
 };
 
-/// Those first in which it may fall, since a fall ends an attempt.
+/// Logs in which the robot may fall come first, since a fall ends an attempt.
 std::vector<std::size_t> orderOf(const std::vector<BodyLog>& logs) {
   std::vector<std::size_t> order(logs.size());
   std::iota(order.begin(), order.end(), 0);
@@ -38,17 +38,20 @@ std::vector<std::size_t> orderOf(const std::vector<BodyLog>& logs) {
   return order;
 }
 
-/// Those logs that are held out, or the others, by this robot.
-void measure(Measured& into, bool held_out, const BodyTruth& robot, std::uint64_t noise_seed, bool past_a_fall = true) {
+enum class Logs : std::uint8_t { kFitted, kHeldOut };
+
+/// Simulates these logs of the plan. `stop_at_fall`: logs after one in which the robot falls stay empty.
+void measure(Measured& into, Logs which, const BodyTruth& robot, std::uint64_t noise_seed, bool stop_at_fall) {
   for (const std::size_t log : orderOf(into.recordings.logs)) {
-    if (into.recordings.logs[log].held_out != held_out) continue;
-    if (!past_a_fall && !into.stands()) break;
+    if (into.recordings.logs[log].held_out != (which == Logs::kHeldOut)) continue;
+    if (stop_at_fall && !into.stands()) break;
     const Disturbance noise{.seed = noise_seed + log};
     into.fell[log] = measureBody(into.recordings, log, robot, &noise);
   }
 }
 
-/// Rms difference of the joints on held-out logs, mrad; where one of both fell, they have nothing in common.
+/// Rms difference of the joints on held-out logs, mrad, without logs in which either robot fell; NaN: there are no
+/// others.
 double differenceOf(const Measured& a, const Measured& b) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < a.recordings.joints.logs.size(); ++i) {
@@ -60,15 +63,15 @@ double differenceOf(const Measured& a, const Measured& b) {
   return 1e3 * std::sqrt(sum / count);
 }
 
-/// The held-out logs show the difference of two robots. `again`: the first, once more.
-bool shows(const Measured& a, const Measured& b, const Measured& again) {
+/// The difference of two robots is visible in the held-out logs, or one of them alone falls. `again`: a repeat of `a`.
+bool isVisible(const Measured& a, const Measured& b, const Measured& again) {
   std::vector<std::size_t> logs;
   for (std::size_t log = 0; log < a.fell.size(); ++log) {
     if (!a.recordings.logs[log].held_out || a.fell[log] || again.fell[log]) continue;
     if (b.fell[log]) return true;
     logs.push_back(log);
   }
-  return worstDifference(a.recordings, b.recordings, again.recordings, logs) > kShown;
+  return worstDifference(a.recordings, b.recordings, again.recordings, logs) > kVisibleSigmas;
 }
 
 BodyTruth robotOf(const BodyRequest& request, const BodyCase& plan, Rng& rng) {
@@ -82,7 +85,7 @@ BodyTruth robotOf(const BodyRequest& request, const BodyCase& plan, Rng& rng) {
   return truth;
 }
 
-/// A robot and its effects, drawn; its recordings.
+/// One draw of a robot with its effects, and its recordings.
 class Attempt {
  public:
   Attempt(const BodyRequest& request, Rng& rng)
@@ -99,17 +102,17 @@ class Attempt {
     seed_ = rng.next();
   }
 
-  /// `is_last`: whatever it shows. False: the robot fell, or something that was drawn does not show.
+  /// `is_last`: accepted even if a drawn effect is not visible. False: rejected, because of that or of a fall.
   bool record(bool may_fall, bool is_last) {
     made_ = unmeasured();
-    measure(made_, true, truth_, seed_, may_fall);
+    measure(made_, Logs::kHeldOut, truth_, seed_, !may_fall);
     if (!may_fall && !made_.stands()) return false;
     again_ = heldOut(truth_, seed_ + 100);
-    if (!is_last && !showsDrawn()) return false;
-    measure(made_, false, truth_, seed_, may_fall);
+    if (!is_last && !areDrawnVisible()) return false;
+    measure(made_, Logs::kFitted, truth_, seed_, !may_fall);
     return may_fall || made_.stands();
   }
-  HiddenBody taken() {
+  HiddenBody result() {
     key_.noise_mrad = differenceOf(made_, again_) / std::sqrt(2.0);
     key_.gap_mrad = key_.effects.empty() ? 0 : differenceOf(made_, heldOut(believed_, seed_));
     return {std::move(made_.recordings), std::move(key_)};
@@ -121,13 +124,14 @@ class Attempt {
   }
   [[nodiscard]] Measured heldOut(const BodyTruth& robot, std::uint64_t seed) const {
     Measured out = unmeasured();
-    measure(out, true, robot, seed);
+    measure(out, Logs::kHeldOut, robot, seed, false);
     return out;
   }
-  /// What is given is there on purpose, whether it shows or not; a push is in one recording, held out or not.
-  [[nodiscard]] bool showsDrawn() const {
+  /// Each drawn effect is visible. Not tested: given effects, which the caller has chosen, and effects outside of the
+  /// catalogue, since a push occurs in a single log that may not be held out.
+  [[nodiscard]] bool areDrawnVisible() const {
     for (std::size_t i = 0; i < drawn_from_.size(); ++i)
-      if (request_.effects[i].kind != BodyClass::kOutside && !shows(made_, heldOut(without(i), seed_), again_))
+      if (request_.effects[i].kind != BodyClass::kOutside && !isVisible(made_, heldOut(without(i), seed_), again_))
         return false;
     return true;
   }
@@ -156,7 +160,7 @@ HiddenBody hiddenBody(const BodyRequest& request) {
   for (int attempt = 1;; ++attempt) {
     Attempt one{request, rng};
     const bool is_last = attempt >= request.tries, may_fall = is_last || request.on_floor == FloorMotions::kBows;
-    if (one.record(may_fall, is_last)) return one.taken();
+    if (one.record(may_fall, is_last)) return one.result();
   }
 }
 

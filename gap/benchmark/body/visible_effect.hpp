@@ -1,4 +1,4 @@
-// Whether recordings show what is hidden in a robot: a case that nobody can solve says nothing about a method.
+// Visibility of a hidden effect in recordings: an effect below the noise floor cannot be identified by any method.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,10 @@
 
 namespace darwinop::gap {
 
-/// How far a robot and the same one without something hidden are apart, in standard deviations of the noise: rms of
-/// the worst half second of any joint's position or any axis of the inertial sensor. `again`: the robot recorded once
-/// more; its noise has the chaos of walks and falls. `logs`: that all three have.
+/// Largest rms difference, within half a second, between recordings with and without an effect, over all joint
+/// positions and axes of the inertial sensor, in standard deviations of the noise. `again`: a repeat of `with`, which
+/// gives the noise of each signal and log, including the divergence of walks. `logs`: indices of logs that all three
+/// have. Missing readings count as no difference; a signal without readings is left out.
 double worstDifference(const BodyCase& with, const BodyCase& without, const BodyCase& again,
                        const std::vector<std::size_t>& logs);
 

@@ -47,40 +47,45 @@ LogGain gainOf(const Eigen::VectorXd& without, const Eigen::VectorXd& with) {
 
 namespace {
 
-LogGain gainIn(const LimbResiduals& residuals, const BodyHypothesis& without, const BodyHypothesis& with) {
-  LogGain gain = gainOf(residuals.of(without), residuals.of(with));
-  gain.samples /= 2;  // loads cost next to nothing
-  return gain;
+/// By log.
+std::map<std::size_t, LogGain> gainsIn(const LimbResiduals& residuals, const BodyHypothesis& without,
+                                       const BodyHypothesis& with) {
+  const Eigen::VectorXd before = residuals.of(without), after = residuals.of(with);
+  std::map<std::size_t, LogGain> logs;
+  for (const LimbSamples& block : residuals.blocks()) {
+    LogGain gain = gainOf(before.segment(block.begin, block.rows), after.segment(block.begin, block.rows));
+    if (block.is_load) gain.samples = 0;  // their cost is near zero: they would hide a misfit of the positions
+    logs[block.log] += gain;
+  }
+  return logs;
+}
+
+LogGain sumOf(const std::map<std::size_t, LogGain>& logs) {
+  LogGain all;
+  for (const auto& [log, gain] : logs) all += gain;
+  return all;
 }
 
 }  // namespace
 
 LogGain gainOf(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& without, const BodyHypothesis& with) {
-  return gainIn(robot.residuals(limb), without, with);
+  return sumOf(gainsIn(robot.residuals(limb), without, with));
 }
 
 LogGain heldOutGain(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& without,
                     const BodyHypothesis& with) {
   const std::vector<std::size_t> logs = clampedLogs(robot.given(), true);
   if (logs.empty()) return {};
-  return gainIn(LimbResiduals{robot.given(), logs, robot.limbs()[limb], robot.residuals(limb).withNumbers(with)},
-                robot.residuals(limb).withNumbers(without), robot.residuals(limb).withNumbers(with));
+  const LimbResiduals& fitted = robot.residuals(limb);
+  const LimbResiduals held_out{robot.given(), logs, robot.limbs()[limb], fitted.withNumbers(with)};
+  return sumOf(gainsIn(held_out, fitted.withNumbers(without), fitted.withNumbers(with)));
 }
 
 bool anyLogRefutes(const ClampedRobot& robot, const std::vector<std::size_t>& limbs, const BodyHypothesis& without,
                    const BodyHypothesis& with) {
   std::map<std::size_t, LogGain> logs;
-  for (const std::size_t limb : limbs) {
-    const LimbResiduals& residuals = robot.residuals(limb);
-    const Eigen::VectorXd before = residuals.of(without), after = residuals.of(with);
-    Eigen::Index at = 0;
-    for (const LimbSamples& block : residuals.blocks()) {
-      LogGain gain = gainOf(before.segment(at, block.rows), after.segment(at, block.rows));
-      at += block.rows;
-      if (block.is_load) gain.samples = 0;  // they cost next to nothing
-      logs[block.log] += gain;
-    }
-  }
+  for (const std::size_t limb : limbs)
+    for (const auto& [log, gain] : gainsIn(robot.residuals(limb), without, with)) logs[log] += gain;
   return std::ranges::any_of(logs, [](const auto& one) { return refutes(one.second); });
 }
 

@@ -8,19 +8,19 @@
 
 namespace darwinop::gap {
 
-/// Of one log: how much the cost of its residuals falls by an effect, and the square of their change. Where the effect
-/// is right the one is expected to be the other; where nothing of it is there, the same with a minus.
+/// Evidence of one log for an effect. For a quadratic cost, a true effect is expected to gain `change`, and an effect
+/// that is absent to lose as much.
 struct LogGain {
-  double gain = 0, change = 0;
-  double expected = 0;           // gain of a right effect: the change, as the robust cost weighs it
-  double cost = 0, samples = 0;  // with the effect
+  double gain = 0, change = 0;   // reduction of the robust cost; squared change of the residuals
+  double expected = 0;           // `change` with robust weights: lower bound of the gain of a true effect
+  double cost = 0, samples = 0;  // robust cost with the effect, and the residuals behind it
 
   LogGain& operator+=(const LogGain& other);
-  /// Of residuals of which so many count as one.
+  /// `rows_alike`: number of correlated residuals that count as one.
   LogGain& operator/=(double rows_alike);
-  /// Of one sample, by what the better of both models leaves: 1, or more where neither is right.
+  /// Cost per sample of the better of both models; at least 1, which is that of a true model.
   [[nodiscard]] double remainder() const;
-  /// The effect changes more than what it leaves may be mistaken for.
+  /// The change is large enough, beside the remainder, for the log to support or refute the effect.
   [[nodiscard]] bool decides() const;
 };
 
@@ -30,7 +30,7 @@ bool refutes(const LogGain& log);
 /// The log shows the effect.
 bool supports(const LogGain& log);
 
-/// Between whitened residuals without the effect and with it.
+/// From whitened residuals without and with the effect.
 LogGain gainOf(const Eigen::VectorXd& without, const Eigen::VectorXd& with);
 /// All clamped logs of a limb together.
 LogGain gainOf(const ClampedRobot& robot, std::size_t limb, const BodyHypothesis& without, const BodyHypothesis& with);

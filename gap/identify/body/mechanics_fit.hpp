@@ -23,7 +23,7 @@ std::vector<std::size_t> limbsOf(const ClampedRobot& robot, const std::vector<Pl
 
 /// Robust sum of squares.
 double robustCost(const Eigen::VectorXd& whitened);
-/// Its derivative over twice a residual: the weight of each.
+/// Weights of iteratively reweighted least squares for this cost.
 Eigen::VectorXd robustWeights(const Eigen::VectorXd& whitened);
 
 /// Residuals in standard deviations, with these effects.

@@ -20,8 +20,8 @@ std::vector<std::size_t> freeIn(const ClampedRobot& robot, const std::vector<Fou
   return free;
 }
 
-/// The effects with another strength of one of them, if that alone costs less; nothing: none does. Plays and delays
-/// have a valley of the cost for each reading that they move.
+/// Start in another local minimum: the first number of one effect scaled, if that alone lowers the cost. The cost of
+/// plays and delays has a local minimum for each reading that shifts to another row.
 std::optional<std::vector<PlacedMechanics>> outOfValley(const ClampedRobot& robot, const MechanicsFit& fit,
                                                         const std::vector<std::size_t>& free,
                                                         const std::vector<std::size_t>& limbs) {
@@ -65,7 +65,7 @@ void setFitted(std::vector<FoundMechanics>& found, const MechanicsFit& fit, cons
   for (const std::size_t i : free) found[i].placed = fit.effects[i], found[i].sigmas = fit.sigmas[i];
 }
 
-/// What remains without this one; nothing: the others do not do without it.
+/// The other effects, refitted, if this one is superfluous. Not so if no other effect in its limbs is free.
 std::optional<std::vector<FoundMechanics>> without(const ClampedRobot& robot, const std::vector<FoundMechanics>& found,
                                                    std::size_t one) {
   std::vector<FoundMechanics> others = found;
@@ -106,7 +106,7 @@ std::vector<std::size_t> dropSuperfluous(ClampedRobot& robot, std::vector<FoundM
     const std::vector<std::size_t> limbs = limbsOf(robot, {gone.placed});
     for (FoundMechanics& other : found) {
       if (!isInOneOf(robot, other.placed, limbs)) continue;
-      other.excess_before = std::max(other.excess_before, gone.excess_before);  // what it explains alone now
+      other.excess_before = std::max(other.excess_before, gone.excess_before);  // it now has to explain this alone
       std::erase_if(other.rivals, [&](const PlacedMechanics& rival) { return rival.sameName(gone.placed); });
     }
     robot.renew(limbs, with(robot, effectsOf(found)));

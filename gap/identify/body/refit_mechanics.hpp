@@ -1,5 +1,4 @@
-// Effects that were found one after the other, fitted together: the first ones were found beside what was not known
-// yet.
+// Joint refit of effects that forward selection has added one by one, and backward elimination.
 #pragma once
 
 #include <vector>
@@ -8,12 +7,14 @@
 
 namespace darwinop::gap {
 
-/// Estimates the noise about what was found, and fits all numbers in the limbs of the last effect together. What the
-/// loads show by themselves stays.
+/// Re-estimates the noise with the current effects, then fits the effects in the limbs of the last one jointly. Effects
+/// that were identified from loads alone stay fixed.
 void refitMechanics(ClampedRobot& robot, std::vector<FoundMechanics>& found);
 
-/// Takes an effect away if the others in its limbs, fitted again, lose less by it than its price: it stood in for one
-/// that was found later. Returns the limbs in which something was taken away; their noise is estimated again.
+/// Backward elimination: removes an effect if the cost without it, after a refit of the others in its limbs, rises by
+/// less than its price. Such an effect was a substitute for one that was added later. Effects identified from loads are
+/// tested as well: a delay of nearly one row is identified there as a derivative first. Returns the limbs of the
+/// removed effects, with their noise re-estimated.
 std::vector<std::size_t> dropSuperfluous(ClampedRobot& robot, std::vector<FoundMechanics>& found);
 
 }  // namespace darwinop::gap

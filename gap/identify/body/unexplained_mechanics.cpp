@@ -29,8 +29,8 @@ double sumOver(const std::vector<std::size_t>& limbs, const std::vector<double>&
 
 namespace {
 
-/// An effect that leaves much unexplained is named all the same where the held-out logs show it: without it all that it
-/// changes would be a gap. That takes a small remainder in them, or several limbs, each by itself.
+/// The held-out logs support the effect: in each of its limbs, with a small remainder there; or in at least kLimbsOfAll
+/// limbs, whatever the remainder, with none that refutes it.
 bool isShownByHeldOut(const ClampedRobot& robot, const std::vector<FoundMechanics>& found, std::size_t one) {
   const std::vector<PlacedMechanics> all = effectsOf(found);
   std::vector<PlacedMechanics> others = all;

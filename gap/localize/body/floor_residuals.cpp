@@ -71,8 +71,8 @@ FloorResiduals::FloorResiduals(const BodyCase& given, std::vector<std::size_t> l
 FloorResiduals::Noise FloorResiduals::noiseOf(const Ensemble& of, Eigen::VectorXd sigma) const {
   Noise out{.sigma = std::move(sigma), .common = {}, .directions = {}};
   setDirections(of, out);
-  widenByWhatIsNotSpanned(of, out);
   forgetUnmeasured(measured_, out.directions);
+  widenByWhatIsNotSpanned(of, out);
   out.modes = NoiseModes{out.directions};
   out.directions.resize(0, 0);
   return out;

@@ -63,11 +63,12 @@ void LimbResiduals::estimateNoise(const BodyHypothesis& about) {
       directions_.row(block.begin + row) = slow.row(row) * (thresholds::kReleasedFactor / std::sqrt(kRuns * fast[row]));
     }
   }
+  forgetUnmeasured(measured_, directions_);
   widenByWhatIsNotSpanned();
 }
 
-// A few runs do not span what one more would do, a long free swing above all: what the others leave of each is noise of
-// each sample.
+// A dozen repeats do not span all possible motions of a long free swing: the part of each repeat outside the span of
+// the others is added to the noise of each sample.
 void LimbResiduals::widenByWhatIsNotSpanned() {
   const Eigen::VectorXd left = notSpannedByOthers(directions_).cwiseAbs2().rowwise().sum();
   for (const LimbSamples& block : blocks_) {

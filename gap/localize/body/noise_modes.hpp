@@ -20,8 +20,8 @@ class NoiseModes {
   Eigen::VectorXd shrink_;  // what whitening takes away of each
 };
 
-/// What each column has that the others, each as likely as one of a standard deviation, leave of it: what one more run
-/// of an ensemble would add to those that there are.
+/// Residual of each column after ridge regression on the others, with unit prior variance of the coefficients: what one
+/// more run of an ensemble is expected to add outside of the span of the existing ones.
 Eigen::MatrixXd notSpannedByOthers(const Eigen::MatrixXd& directions);
 
 /// Residuals over their standard deviations. Not measured: 0. Not simulated: impossible.

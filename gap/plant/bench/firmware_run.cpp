@@ -76,7 +76,8 @@ FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothes
     return static_cast<std::size_t>(std::max(1.0, periods(log.read_s[row]) - periods(log.written_s[row])));
   };
   period(0, knownPosition(log, 0), 0);
-  if (held && std::isfinite(log.load[0])) {  // an integral has summed up what the joint is held with
+  // The integral at the end of the hold is unknown; the first load reading gives it, to its resolution of 1/1023.
+  if (held && std::isfinite(log.load[0])) {
     servo.startIntegralFrom(log.load[0]);
     run.duty.back() = servo.signals().duty;
   }

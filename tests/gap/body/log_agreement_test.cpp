@@ -26,6 +26,14 @@ TEST(LogAgreement, ALogThatNeitherModelExplainsDecidesLess) {
   EXPECT_FALSE(supports(poor)) << "what is left by the better model counts: 4.6 a sample";
 }
 
+// Residuals of 20 sigma, which the robust cost weighs less than a square.
+TEST(LogAgreement, ALogSupportsATrueEffectHoweverLargeItsResidualsWere) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(100), large = Eigen::VectorXd::Constant(100, 20);
+  EXPECT_TRUE(supports(gainOf(large, none)));
+  EXPECT_FALSE(supports(gainOf(none, large)));
+  EXPECT_FALSE(supports(gainOf(large, -large))) << "as far off as before, to the other side";
+}
+
 TEST(LogAgreement, AnEffectThatRuinsALogIsRefutedByIt) {
   EXPECT_TRUE(refutes({.gain = -2000, .change = 2400, .cost = 2100, .samples = 100}));
 }

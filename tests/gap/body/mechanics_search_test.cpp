@@ -119,7 +119,7 @@ TEST(MechanicsSearch, ASmallRemainderTakesNoNameAwayThatHeldOutRecordingsShow) {
   }
 }
 
-// All recordings jump about, so that much is left whatever is named.
+// White noise on all positions leaves a large remainder under any model.
 TEST(MechanicsSearch, WhatSeveralLimbsShowInHeldOutRecordingsKeepsItsName) {
   BodyCase given = movingRobot(shippedWith("viscous", allJoints(), {0.06}));
   Rng rng{7};

@@ -1,4 +1,4 @@
-// What an ensemble of a few runs says about one more.
+// Leave-one-out residuals of a small ensemble.
 #include "gap/localize/body/noise_modes.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(NoiseModes, ARunThatIsLikeNoOtherIsNotSpanned) {
   EXPECT_TRUE(notSpannedByOthers(runs).isApprox(runs));
 }
 
-// Weights of the others that are as likely as one of a standard deviation: ridge regression.
+// Against the explicit solution for each column.
 TEST(NoiseModes, WhatIsLeftIsThatOfARidgeRegressionOnTheOthers) {
   const Eigen::MatrixXd runs = drawn(30, 5, 0.7), left = notSpannedByOthers(runs);
   for (Eigen::Index k = 0; k < runs.cols(); ++k) {

@@ -1,4 +1,4 @@
-// Effects that were found one after the other, fitted together.
+// Joint refit and backward elimination of effects.
 #include "gap/identify/body/refit_mechanics.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Effects that the recordings do not show.
+// Redraw of effects that are not visible.
 #include <gmock/gmock.h>
 
 #include "gap/benchmark/body/body_suite.hpp"

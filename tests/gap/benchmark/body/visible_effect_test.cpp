@@ -1,4 +1,4 @@
-// Whether recordings show what is hidden.
+// Visibility of a hidden effect.
 #include "gap/benchmark/body/visible_effect.hpp"
 
 #include <gtest/gtest.h>
